@@ -1,5 +1,6 @@
 """The client for asyncio."""
 import asyncio
+import threading
 import time
 
 import pytest
@@ -8,6 +9,7 @@ import remesh_client as rc
 from remesh_client import aio
 from remesh_client._assembler import assemble
 from remesh_client.v1 import report_pb2, revision_pb2
+from fake_daemons import FakeDaemon
 from synthetic import two_tets
 
 
@@ -95,4 +97,45 @@ def test_a_daemon_that_is_not_there(cases):
                 await daemon.mesh(cases / "tool1-a.json")
             with pytest.raises(rc.Unavailable):
                 await daemon.info()
+    asyncio.run(main())
+
+
+class DaemonThatDoesNotRead(FakeDaemon):
+    """It reads no request until it is told to: what is larger than the window of the connection is
+    still being written."""
+
+    def __init__(self):
+        super().__init__()
+        self.reads = threading.Event()
+
+    def EditStream(self, requests, context):
+        self.reads.wait(30)
+        yield from super().EditStream(requests, context)
+
+
+@pytest.fixture
+def unread():
+    daemon = DaemonThatDoesNotRead()
+    yield daemon
+    daemon.reads.set()
+    daemon.stop()
+
+
+LARGE, SMALL = {"name": "n" * 3_000_000}, {"name": "n"}
+
+
+def test_a_task_that_is_cancelled_while_its_request_is_written_leaves_the_others_alone(unread):
+    async def main():
+        async with aio.connect(unread.address) as daemon:
+            one, other = (asyncio.create_task(daemon.mesh(LARGE)) for _ in range(2))
+            await asyncio.sleep(.5)
+            one.cancel()
+            with pytest.raises(asyncio.CancelledError):
+                await one
+            late = asyncio.create_task(daemon.mesh(SMALL))
+            await asyncio.sleep(.1)
+            unread.reads.set()
+            assert (await asyncio.wait_for(other, 20)).revision
+            assert (await asyncio.wait_for(late, 20)).revision
+            assert (await asyncio.wait_for(daemon.mesh(SMALL), 20)).revision
     asyncio.run(main())

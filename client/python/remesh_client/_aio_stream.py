@@ -14,33 +14,34 @@ from remesh_client.errors import Error, made_here
 
 
 class EditStream:
-    """For one event loop. What it leaves unanswered where it breaks fails, as `broken`, and is to
-    be sent again."""
+    """For one event loop. When the stream breaks, its unanswered requests fail with `broken` set;
+    the caller sends them again."""
 
     def __init__(self, open_call: Callable[[str], Any]) -> None:
         """open_call: begins a call of EditStream, of the route of its first request."""
         self._open_call = open_call
         self._call: Any = None
+        self._outgoing: asyncio.Queue[Any] = asyncio.Queue()  # of the call
+        self._writer: asyncio.Task[None] | None = None
         self._reader: asyncio.Task[None] | None = None
         self._unanswered: dict[str, Exchange] = {}  # in the order sent
         self._changed = asyncio.Condition()  # an answer has come
-        self._writing = asyncio.Lock()
         self._raised: dict[str, BaseException] = {}  # by progress callbacks
 
     async def send(self, exchange: Exchange) -> None:
-        async with self._writing:
-            if self._call is None or not self._unanswered and self._call.done():
-                self._call = self._open_call(exchange.route)
-            self._unanswered[exchange.id] = exchange
-            exchange.carrier = self
-            if self._reader is None or self._reader.done():
-                self._reader = asyncio.create_task(self._read())
-            await self._write(exchange.request)
+        if self._call is None or not self._unanswered and self._call.done():
+            self._begin(exchange.route)
+        self._unanswered[exchange.id] = exchange
+        exchange.carrier = self
+        if self._reader is None or self._reader.done():
+            self._reader = asyncio.create_task(self._read())
+        self._outgoing.put_nowait(exchange.request)
 
     async def wait(self, exchange: Exchange, done: Callable[[Exchange], bool],
                    timeout: float | None = None) -> None:
-        """Until it is so, or all is answered. Where the waiting task is cancelled, so is the
-        request, at the daemon too."""
+        """Waits until `done(exchange)`, or until the whole request is answered. timeout: s; after
+        that the request is cancelled. Where the waiting task is cancelled, so is the request, at
+        the daemon too. Raises what the progress callback raised."""
         def ready() -> bool:
             return exchange.done or done(exchange) or exchange.id in self._raised
         try:
@@ -49,13 +50,13 @@ class EditStream:
                     await asyncio.wait_for(self._changed.wait_for(ready), timeout)
                 except asyncio.TimeoutError:
                     exchange.overdue = True
-                    await self._cancel(exchange)
+                    self._cancel(exchange)
                     await self._changed.wait_for(ready)
         except asyncio.CancelledError:
-            await self._cancel(exchange)
+            self._cancel(exchange)
             raise
         if exchange.id in self._raised:
-            await self._cancel(exchange)
+            self._cancel(exchange)
             raise self._raised.pop(exchange.id)
 
     async def cancel_all(self) -> None:
@@ -64,6 +65,7 @@ class EditStream:
         if reader is not None:
             reader.cancel()
             await asyncio.gather(reader, return_exceptions=True)
+        self._end_writing()
         if call is not None:
             call.cancel()
         unanswered = list(self._unanswered.values())
@@ -71,13 +73,27 @@ class EditStream:
         await self._fail(unanswered, lambda: made_here(
             Error.CODE_CANCELLED, "the request was cancelled", Error.CANCELLED))
 
-    async def _cancel(self, exchange: Exchange) -> None:
-        if exchange.id in self._unanswered and self._call is not None:
-            await self._write(cancel_request(exchange))
+    def _begin(self, route: str) -> None:
+        self._end_writing()
+        self._call = self._open_call(route)
+        self._outgoing = asyncio.Queue()
+        self._writer = asyncio.create_task(self._write(self._call, self._outgoing))
 
-    async def _write(self, request: Any) -> None:
+    def _end_writing(self) -> None:
+        if self._writer is not None:
+            self._writer.cancel()
+            self._writer = None
+
+    def _cancel(self, exchange: Exchange) -> None:
+        if exchange.id in self._unanswered and self._call is not None:
+            self._outgoing.put_nowait(cancel_request(exchange))
+
+    @staticmethod
+    async def _write(call: Any, outgoing: asyncio.Queue[Any]) -> None:
+        """A task of its own: where a task is cancelled while it writes, gRPC cancels the call."""
         try:
-            await self._call.write(request)
+            while True:
+                await call.write(await outgoing.get())
         except (grpc.RpcError, asyncio.InvalidStateError):
             pass  # the call is at its end: the reader sees to it
 
@@ -115,13 +131,13 @@ class EditStream:
 
     async def _ended(self, failure: grpc.RpcError | None) -> None:
         """Tells all that is unanswered; the next request begins another call."""
-        async with self._writing:  # what is being written belongs to the call that ended
-            self._call = None
-            for exchange in self._unanswered.values():
-                exchange.broken = failure is None or is_broken(failure)
-                exchange.heard |= failure is None or was_answered(failure)
-            unanswered = list(self._unanswered.values())
-            self._unanswered.clear()
+        self._call = None
+        self._end_writing()  # what has not been written belongs to the call that ended
+        for exchange in self._unanswered.values():
+            exchange.broken = failure is None or is_broken(failure)
+            exchange.heard |= failure is None or was_answered(failure)
+        unanswered = list(self._unanswered.values())
+        self._unanswered.clear()
         await self._fail(unanswered, lambda: stream_ended(failure))
 
     async def _fail(self, exchanges: list[Exchange], why: Callable[[], Any]) -> None:

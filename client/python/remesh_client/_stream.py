@@ -41,8 +41,8 @@ class _Call:
 
 
 class EditStream:
-    """May be used by several threads. One of those that wait reads for all. What it leaves
-    unanswered where it breaks fails, as `broken`, and is to be sent again."""
+    """May be used by several threads. One of the waiting threads reads for all. When the stream
+    breaks, its unanswered requests fail with `broken` set; the caller sends them again."""
 
     def __init__(self, open_call: OpenCall) -> None:
         """open_call: begins a call of EditStream, of the route of the first request, with the
@@ -63,8 +63,9 @@ class EditStream:
 
     def wait(self, exchange: Exchange, done: Callable[[Exchange], bool],
              timeout: float | None = None) -> None:
-        """Reads answers until it is so, or all is answered. Where that is left by an exception,
-        KeyboardInterrupt for one, whatever is under way is cancelled, at the daemon too."""
+        """Reads answers until `done(exchange)`, or until the whole request is answered. timeout: s;
+        after that the request is cancelled. After an exception (KeyboardInterrupt, or one of the
+        progress callback) all requests of this stream are cancelled, at the daemon too."""
         timer = None
         if timeout is not None and not done(exchange):
             timer = threading.Timer(timeout, self._give_up, [exchange])
@@ -109,11 +110,9 @@ class EditStream:
         try:
             answer = next(call.answers)
         except grpc.RpcError as failure:
-            if call is self._call:
-                self._end(failure)
+            self._end(call, failure)
         except StopIteration:
-            if call is self._call:
-                self._end(None)
+            self._end(call, None)
         else:
             self._take(answer)
 
@@ -126,8 +125,10 @@ class EditStream:
             with self._state:
                 self._unanswered.pop(exchange.id, None)
 
-    def _end(self, failure: grpc.RpcError | None) -> None:
+    def _end(self, call: _Call, failure: grpc.RpcError | None) -> None:
         with self._state:
+            if call is not self._call:  # cancelled by another thread
+                return
             self._call = None
             unanswered = list(self._unanswered.values())
             self._unanswered.clear()
