@@ -19,9 +19,9 @@ using Stub = Replica::Service::Stub;
 
 namespace {
 
-/// How far the tries of one transfer have come. A try that comes no further than those before it
-/// does not count as an answer: one that is cut at the same place each time would never be given
-/// up.
+/// How far the attempts at one transfer have come. An attempt counts as progress only if it
+/// received more bytes than all before it: otherwise a transfer that breaks at the same place each
+/// time would be repeated for ever.
 class Furthest {
  public:
   explicit Furthest(Search& search) : search_(search) {}
@@ -85,7 +85,7 @@ Mesh Client::get_mesh(const std::string& revision, const CallOptions& call,
       if (on_transfer) on_transfer(assembler.bytes_received(), assembler.bytes_expected());
     };
     const grpc::Status status = read_all(*reader, context, take);
-    if (status.ok()) return assembler.finish();
+    if (status.ok() || assembler.ended()) return assembler.finish();
     if (!search.goes_on(replica, status)) check(status);
     if (const auto position = assembler.resume()) *request.mutable_resume_from() = *position;
   }

@@ -130,7 +130,7 @@ std::optional<remesh::v1::EditStreamRequest> EditStream::Impl::to_send(const Una
   if (next.sent_before) {
     if (how_to_resend(next.message, last_ ? &*last_ : nullptr) == Resend::AsItIs)
       return next.message;
-    if (!first) return std::nullopt;  // what is the last result is not known yet
+    if (!first) return std::nullopt;  // the result before it has not come yet
     return on_last(next.message, *last_);
   }
   // In a new call the daemon does not know the last result, the base of an edit that names none.
@@ -186,9 +186,9 @@ void EditStream::Impl::send_waiting() {
   }
 }
 
-/// Whether an error makes the stream go on at another replica, with all of its requests, so that
-/// these keep their order. Only an error of the first unanswered request does, and one by which
-/// that was not carried out.
+/// Whether a response makes the whole stream move to another replica. It does if it is an error of
+/// the first unanswered request, by which the request was not carried out, and which another
+/// replica may not give. All unanswered requests move along, so that their order stays.
 bool EditStream::Impl::moves_on(Call& from, const remesh::v1::EditStreamResponse& response) {
   if (!response.has_error()) return false;
   {
@@ -289,8 +289,11 @@ void EditStream::Impl::end_with(const grpc::Status& status) {
     const std::lock_guard lock(state_);
     // Nothing is lost where it broke after the last answer.
     ended_well_ =
-        status.ok() || (is_broken(status) && !cancelled_ && closed_ && unanswered_.empty());
-    error = ended_well_ ? stream_ended() : error_of(status);
+        unanswered_.empty() && (status.ok() || (is_broken(status) && !cancelled_ && closed_));
+    if (cancelled_)
+      error = request_cancelled();
+    else
+      error = status.ok() || ended_well_ ? stream_ended() : error_of(status);
     end_ = error;
     open.swap(unanswered_);
   }

@@ -50,6 +50,7 @@ class FakeService final : public remesh::v1::RemeshService::Service {
   std::function<void(std::vector<remesh::v1::MeshMessage>&)> damage;
   /// Breaks every GetMesh off after so many messages, and the next GetMeshFile.
   std::optional<int> mesh_break;
+  bool breaks_after_mesh = false;  ///< breaks every GetMesh off after the end of the mesh
   std::optional<int> file_break;  ///< breaks every GetMeshFile off after so many messages
   std::vector<remesh::v1::GetMeshFileResponse> file_messages;  ///< of every GetMeshFile
   Mesh mesh = sample_mesh(1);
@@ -169,6 +170,7 @@ class FakeService final : public remesh::v1::RemeshService::Service {
       *response.mutable_mesh() = message;
       writer->Write(response);
     }
+    if (breaks_after_mesh) return {grpc::StatusCode::UNAVAILABLE, "told by the test"};
     return grpc::Status::OK;
   }
 

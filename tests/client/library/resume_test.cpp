@@ -153,6 +153,13 @@ TEST(GetMesh, GoesOnWhereItBroke) {
   EXPECT_TRUE(daemon.service.mesh_requests.back().has_resume_from());
 }
 
+TEST(GetMesh, IsThereWhereItBrokeAfterTheEndOfTheMesh) {
+  FakeDaemon daemon;
+  daemon.service.breaks_after_mesh = true;
+  EXPECT_EQ(Client::connect(daemon.address).get_mesh("a"), daemon.service.mesh);
+  EXPECT_EQ(daemon.service.mesh_requests.size(), 1U);
+}
+
 TEST(GetMesh, OfAnotherMeshThanBeforeItBrokeIsDamage) {
   FakeDaemon daemon;
   daemon.service.mesh_break = 2;

@@ -1,6 +1,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <chrono>
+#include <memory>
+#include <thread>
+
 #include "remeshd/client.h"
 #include "tests/client/fake_daemon.h"
 
@@ -122,6 +126,17 @@ TEST(StreamMesh, HasTheErrorThatBrokeTheStream) {
   stream.cancel_all();
   EXPECT_EQ(error_of(answers.result).code(), Error::CODE_CANCELLED);
   EXPECT_EQ(error_of(answers.mesh).code(), Error::CODE_CANCELLED);
+}
+
+TEST(EditStream, ThatIsCancelledWhileItWaitsForADaemonCancelsItsRequests) {
+  auto daemon = std::make_unique<FakeDaemon>();
+  EditStream stream = Client::connect(daemon->address).stream();
+  EXPECT_NO_THROW(stream.edit(edit_of("a")).get());
+  daemon.reset();
+  auto waiting = stream.edit(edit_of("a@1"));
+  std::this_thread::sleep_for(std::chrono::milliseconds(200));
+  stream.cancel_all();
+  EXPECT_EQ(error_of(waiting).code(), Error::CODE_CANCELLED);
 }
 
 TEST(EditStream, TakesAnIdAgainOnceItsRequestIsAnswered) {
