@@ -81,6 +81,16 @@ void compare_features(const Feature& before, const Feature& after, Words& words)
   if (!is_same(before.placement(), after.placement())) words.push_back(id + " moved");
 }
 
+void compare_sizes(const SizeControl& before, const SizeControl& after, Words& words) {
+  const std::string name = "size " + after.id();
+  if (!is_same(before.size(), after.size()))
+    words.push_back(change_of(name, before.size(), after.size()));
+  if (before.on() != after.on() && before.has_on() && after.has_on())
+    words.push_back(name + " on " + before.on() + " -> " + after.on());
+  else if (!is_same(before.region(), after.region()))
+    words.push_back(name + " at another place");
+}
+
 /// Whether features that are in both models come in another order.
 bool is_reordered(const FeatureModel& before, const FeatureModel& after) {
   const auto common = [](const FeatureModel& of, const FeatureModel& with) {
@@ -106,9 +116,7 @@ std::vector<std::string> model_changes(const FeatureModel& before, const Feature
           [&](const Feature& was, const Feature& is) { compare_features(was, is, words); });
   if (is_reordered(before, after)) words.emplace_back("order of features changed");
   compare(before.sizes(), after.sizes(), "size ", words,
-          [&](const SizeControl& was, const SizeControl& is) {
-            words.push_back(change_of("size " + is.id(), was.size(), is.size()));
-          });
+          [&](const SizeControl& was, const SizeControl& is) { compare_sizes(was, is, words); });
   compare(before.groups(), after.groups(), "group ", words, [&](const Group&, const Group& is) {
     words.push_back("group " + is.name() + " changed");
   });

@@ -62,7 +62,8 @@ int fail(Console& console, const remesh::v1::Error& error, const GlobalOptions& 
   for (const std::string& attempt : error.attempts()) console.error("tried: " + attempt);
   if (!error.hint().empty()) console.error("hint: " + error.hint());
   if (error.has_retry_after())
-    console.error("try again in " + std::to_string(std::lround(error.retry_after() + 0.5)) + " s");
+    console.error("try again in " + std::to_string(std::lround(std::ceil(error.retry_after()))) +
+                  " s");
   console.detail("code " + client::code_name(error.code()) + ", reason " +
                  client::reason_name(error) + ", stage " + error.stage());
   return exit_code(error);

@@ -1,13 +1,13 @@
 #include <CLI/CLI.hpp>
 #include <map>
 #include <memory>
-#include <optional>
 
 #include "client/cli/base.h"
 #include "client/cli/commands/command.h"
 #include "client/cli/exit_code.h"
 #include "client/cli/model_changes.h"
 #include "client/cli/table.h"
+#include "client/cli/with_edit.h"
 #include "proto/json_writer.h"
 
 namespace remeshd::cli {
@@ -50,19 +50,18 @@ void write_comparison(std::ostream& out, const remesh::v1::Comparison& compariso
                     {"error bound", exact(comparison.error_bound())}});
 }
 
-/// None for an edit, which is no model by itself.
-std::optional<remesh::v1::FeatureModel> model_of(Session& session,
-                                                 const remesh::v1::ModelChoice& choice) {
+remesh::v1::FeatureModel model_of(Session& session, const remesh::v1::ModelChoice& choice) {
   if (choice.has_model()) return choice.model();
-  if (choice.has_edit()) return {};
   return session.client().get_revision(choice.revision(), session.call()).model();
 }
 
 /// What differs in the documents, before what that does to the geometry.
 void write_changes(Session& session, const remesh::v1::CompareRequest& request) {
   const auto before = model_of(session, request.original());
-  const auto after = model_of(session, request.modified());
-  if (before && after) write_table(session.out(), {{"changes", changes_in_words(*before, *after)}});
+  const auto& modified = request.modified();
+  const auto after =
+      modified.has_edit() ? with_edit(before, modified.edit()) : model_of(session, modified);
+  write_table(session.out(), {{"changes", changes_in_words(before, after)}});
 }
 
 int diff(Session& session, const DiffArguments& arguments) {

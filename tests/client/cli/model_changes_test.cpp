@@ -57,5 +57,16 @@ TEST(ModelChanges, TellWhatElseIsChanged) {
                           "size rim 0.5 -> 0.25", "group load changed", "+ group held"));
 }
 
+TEST(ModelChanges, TellWhereSizesHoldNow) {
+  FeatureModel after = plate();
+  after.mutable_sizes(0)->set_on("hole.wall | base.top");
+  EXPECT_THAT(model_changes(plate(), after),
+              ElementsAre("size rim on hole.wall -> hole.wall | base.top"));
+  after.mutable_sizes(0)->mutable_size()->set_number_value(0.25);
+  after.mutable_sizes(0)->mutable_region()->mutable_ball()->add_values()->set_number_value(1);
+  EXPECT_THAT(model_changes(plate(), after),
+              ElementsAre("size rim 0.5 -> 0.25", "size rim at another place"));
+}
+
 }  // namespace
 }  // namespace remeshd::cli
