@@ -59,8 +59,10 @@ std::string finish_query(PGconn* connection, Postgres::Rows& rows) {
   const auto deadline = Clock::now() + kToAnswer;
   std::string fault;
   for (;;) {
-    while (PQflush(connection) == 1)
+    while (PQflush(connection) == 1) {
       if (!wait_for(connection, POLLIN | POLLOUT, deadline)) return kSilent;
+      if (PQconsumeInput(connection) == 0) return first_line(PQerrorMessage(connection));
+    }
     while (PQisBusy(connection) != 0) {
       if (!wait_for(connection, POLLIN, deadline)) return kSilent;
       if (PQconsumeInput(connection) == 0) return first_line(PQerrorMessage(connection));

@@ -350,7 +350,8 @@ void EditStream::close(grpc::Status status, std::string reason) noexcept {
   MakeRequestPtr request;
   {
     const std::scoped_lock lock(mutex_);
-    if (!std::exchange(closed_, true)) {
+    // `finish` reads these without the mutex.
+    if (!finished_ && !std::exchange(closed_, true)) {
       end_status_ = std::move(status);
       end_reason_ = std::move(reason);
     }

@@ -52,7 +52,8 @@ Archive::Archive(const Engine& engine, Store& store, MemoryBudget& memory, DiskB
       disk_(store.persistent() ? disk : nullptr),
       saver_(store.persistent() ? std::function<bool()>([this] { return recover(); })
                                 : std::function<bool()>(),
-             // Asked when the disk has just failed, a moment before what it did not take is noted.
+             // A second later: the store reports a failure shortly before `file` notes the revision
+             // that the disk did not take.
              Background::Begin::AfterASecond) {
   store_.on_failure([this] { saver_.ask(); });
   if (disk_ == nullptr) return;
@@ -147,7 +148,7 @@ Filed Archive::file(const HeldRevisionPtr& revision, const std::string& design,
   const auto plan = [&](Catalogue& catalogue) {
     return plan_filing(catalogue, revision->record, design, rule, fail_on);
   };
-  note_use(id);
+  if (is_known(id)) note_use(id);  // a new one is used now anyhow, or refused
   if (is_known(id) && is_durable(id)) {
     try {
       keep(revision);

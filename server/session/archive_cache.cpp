@@ -229,12 +229,11 @@ std::optional<CacheFault> Archive::check_stored(const std::string& id) {
 }
 
 CacheEntry Archive::set_pin(const std::string& text, bool pinned) {
-  if (const std::string named = resolve(text).id; shared_) shared_->set_pin(named, pinned);
+  const std::string id = resolve(text).id;
+  if (shared_) shared_->set_pin(id, pinned);
   const std::scoped_lock lock(filing_);
-  std::string id;
   store_.commit([&](Catalogue& catalogue) {
-    id = remeshd::resolve(catalogue, text).id;
-    const auto record = catalogue.revision(id);
+    const auto record = catalogue.revision(remeshd::resolve(catalogue, id).id);
     return record->pinned == pinned ? Transaction{} : Transaction{SetPin{id, pinned}};
   });
   const std::vector<StoredMesh> meshes = stored_meshes();

@@ -201,6 +201,12 @@ bool is_being_written(const std::filesystem::path& file) {
   return ::lstat(file.c_str(), &status) == 0 && (status.st_mode & 0777U) == kModeWhileWritten;
 }
 
+std::int64_t changed_ns(const std::filesystem::path& file) {
+  struct stat status {};
+  if (::lstat(file.c_str(), &status) != 0) return 0;
+  return std::int64_t{1'000'000'000} * status.st_ctim.tv_sec + status.st_ctim.tv_nsec;
+}
+
 void settle_file(const std::filesystem::path& file) {
   File whole(file, O_RDONLY);
   whole.set_mode(kMode);

@@ -79,6 +79,11 @@ bool is_being_written(const std::filesystem::path& file);
 /// Error(STORE_FAILED).
 void settle_file(const std::filesystem::path& file);
 
+/// When a file's content, name or attributes changed last, ns since 1970: unlike the time of its
+/// last change, which `write_in_place` sets, nothing but the system sets this (ctime). 0 where
+/// there is no file.
+std::int64_t changed_ns(const std::filesystem::path& file);
+
 /// All of a file. Throws Error(STORE_FAILED).
 std::string read_whole(const std::filesystem::path& file);
 /// What a file begins with, at most `limit` bytes. Throws Error(STORE_FAILED).

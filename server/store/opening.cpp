@@ -20,6 +20,9 @@ namespace remeshd {
 namespace fs = std::filesystem;
 namespace {
 
+// A pack that was replaced so long before the last line of the journal has its line there.
+constexpr std::int64_t kToEnter = 60'000'000'000;  // ns
+
 void make_folders(const fs::path& folder) {
   if (fs::is_directory(folder)) return;
   if (folder.has_parent_path() && folder.parent_path() != folder)
@@ -38,6 +41,7 @@ class Opening {
   void lock_folder(double wait);
   void sort_scratch(const fs::path& scratch, Quarantine& quarantine);
   void load(const std::vector<Transaction>& transactions);
+  void follow_replaced_packs(std::int64_t since);
   bool was_cut_off(const std::string& id);
   void adopt_unknown_packs(Quarantine& quarantine);
   void enter_again(const PackHead& head, std::map<std::string, std::string>& heads);
@@ -61,6 +65,7 @@ void Opening::open(double wait) {
     write_format(folder_, scratch);
   }
 
+  const std::int64_t last_line = changed_ns(folder_ / "journal.a");
   opened_.packs = std::make_unique<Packs>(folder_ / "packs", scratch);
   opened_.journal = std::make_unique<Journal>(folder_, scratch);
   opened_.journal_behind = !opened_.journal->whole();
@@ -72,6 +77,7 @@ void Opening::open(double wait) {
     first_layout.bring_in(*opened_.packs, quarantine);
   }
   load(transactions);
+  follow_replaced_packs(last_line - kToEnter);
   for (const fs::path& stranger : opened_.packs->strangers())
     quarantine.take(stranger, "it is no revision");
   adopt_unknown_packs(quarantine);
@@ -137,8 +143,29 @@ void Opening::load(const std::vector<Transaction>& transactions) {
                             " lines of the journal contradict those before them");
 }
 
-/// Whether a pack is what a crash left of an incomplete write, of whose revision nobody was told.
-/// One that was written whole is as good as any, and loses its mark.
+/// Enters the bases of packs that were replaced, against another base, just before a crash: the
+/// catalogue knows the base of the pack before, and would let the new one be deleted. `since`: ns
+/// since 1970; packs that have not changed since then are not read.
+void Opening::follow_replaced_packs(std::int64_t since) {
+  for (const std::string& id : opened_.packs->list()) {
+    if (changed_ns(opened_.packs->path_of(id)) < since || !opened_.catalogue->is_stored(id))
+      continue;
+    try {
+      const auto head = opened_.packs->head(id);
+      auto known = opened_.catalogue->revision(id);
+      if (!head || head->record.id != id || head->record.base == known->base) continue;
+      known->base = head->record.base;
+      known->bytes = opened_.packs->bytes_of(id);
+      opened_.catalogue->apply({AddRevision{*known}});
+      opened_.journal_behind = true;
+    } catch (const Error& failure) {
+      opened_.notes.push_back(id + " stays as it is: " + failure.what());
+    }
+  }
+}
+
+/// Whether a pack is an incomplete file that a crash left; its revision was never acknowledged. A
+/// pack that has the mark of `is_being_written` but is whole loses the mark, and is used.
 bool Opening::was_cut_off(const std::string& id) {
   const fs::path path = opened_.packs->path_of(id);
   if (!is_being_written(path)) return false;
@@ -191,8 +218,8 @@ void Opening::adopt_unknown_packs(Quarantine& quarantine) {
                           " revisions that the journal does not name were entered again");
 }
 
-/// Puts a revision into the catalogue that the journal does not know. `heads`: of the designs met
-/// so far.
+/// Enters a revision that the journal does not know into the catalogue. `heads`: ids of the heads
+/// of the designs met so far, by design.
 void Opening::enter_again(const PackHead& head, std::map<std::string, std::string>& heads) {
   const std::string& design = head.first.design;
   Transaction adopt{AddRevision{head.record, head.recipe}};

@@ -51,15 +51,21 @@ std::uint64_t Outbox::unlist(const std::string& name) {
 }
 
 void Outbox::add(const std::string& name) {
-  const std::scoped_lock lock(mutex_);
-  if (waiting_.contains(name)) return;
+  {
+    const std::scoped_lock lock(mutex_);
+    if (waiting_.contains(name)) return;
+    list(name, next_place_++);
+    changed_.notify_all();
+  }
   try {
     const File mark(folder_ / name, O_WRONLY | O_CREAT);
+    mark.sync();
+    sync_folder(folder_);
   } catch (const Error&) {
     // On a full disk the name waits in memory alone.
   }
-  list(name, next_place_++);
-  changed_.notify_all();
+  const std::scoped_lock lock(mutex_);
+  if (!waiting_.contains(name) && !writing_.contains(name)) remove_mark(name);  // written meanwhile
 }
 
 void Outbox::write_now(const std::string& name) {
@@ -98,7 +104,10 @@ void Outbox::finish(const std::string& name) {
   const std::scoped_lock lock(mutex_);
   writing_.erase(name);
   changed_.notify_all();
-  if (waiting_.contains(name)) return;
+  if (!waiting_.contains(name)) remove_mark(name);
+}
+
+void Outbox::remove_mark(const std::string& name) {
   try {
     remove_file(folder_ / name);
   } catch (const Error&) {

@@ -33,6 +33,7 @@ class Outbox {
   Outbox& operator=(const Outbox&) = delete;
 
   /// Queues a name, after those added before; one that is just being written is written once more.
+  /// After the return it outlives a crash, unless the disk is full.
   void add(const std::string& name);
   /// Writes a name on this thread, if it is still to be written; first waits for another thread
   /// that is just writing it. Throws what `write` throws; then the name stays queued, unless it was
@@ -51,6 +52,7 @@ class Outbox {
   void list(const std::string& name, std::uint64_t place);
   std::uint64_t unlist(const std::string& name);
   void finish(const std::string& name);
+  void remove_mark(const std::string& name);
 
   const std::filesystem::path folder_;
   const Again again_;

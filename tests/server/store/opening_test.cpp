@@ -86,5 +86,22 @@ TEST_F(Opening, APackThatWasWrittenWholeBeforeACrashIsTakenIn) {
   EXPECT_FALSE(is_being_written(pack(3)));
 }
 
+TEST_F(Opening, APackThatWasReplacedAgainstAnotherBaseBeforeACrashKeepsThatBase) {
+  {
+    Store store(folder_);
+    for (const int n : {1, 2, 3}) file(store, n);  // each against the one before
+    RevisionRecord moved = record(3, id(2));
+    const StoredArrays of_base = arrays_of(bytes_of(1));
+    const Packs::Base base{id(1), &of_base};
+    store.put(moved, {.design = "d", .number = 3, .id = id(3)}, "", arrays_of(bytes_of(3)), &base);
+    ASSERT_EQ(moved.base, id(1));  // and is not entered any more
+  }
+  Store store(folder_);
+  EXPECT_EQ(store.read([](Catalogue& c) { return c.revision(id(3)); })->base, id(1));
+  remove(store, 2);
+  remove(store, 1);
+  EXPECT_EQ(read(store, 3), bytes_of(3));
+}
+
 }  // namespace
 }  // namespace remeshd::test
