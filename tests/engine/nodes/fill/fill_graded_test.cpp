@@ -42,14 +42,14 @@ TEST(FillGraded, NeighboursStandAsFarApartAsTheFieldSays) {
 
 TEST(FillGraded, WhereTheModelAsksForALengthTheyAreAsDenseWhateverShareOfTheBaseSizeItIs) {
   const Surface top{Surface::Kind::Plane, Transform::translation({0, 0, 20}), 0, 0};
-  for (const double length : {0.55, 0.6, 0.7, 0.8, 0.9, 1.0}) {
+  for (const double length : {0.55, 0.6, 0.66, 0.7, 0.8, 0.84, 0.9, 1.0}) {
     const SizeField sizes(
         {.base = 2, .least = 0.2, .slope = 0.3},
         {{.piece = top, .box = kCube, .size = length, .asked = true, .filled = true}}, kCube);
     const auto nodes = static_cast<double>(fill_graded({kCube}, everywhere, sizes, 1, kRun).size());
     const double density = nodes * std::pow(length / 20, 3) / std::sqrt(2);
     EXPECT_GT(density, 0.6) << length;
-    EXPECT_LT(density, 1.8) << length;
+    EXPECT_LT(density, 1.3) << length;
   }
 }
 
