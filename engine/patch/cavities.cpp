@@ -7,34 +7,12 @@
 
 #include "engine/base/union_find.h"
 #include "engine/mesh/grouping.h"
+#include "engine/patch/facet_buckets.h"
 #include "engine/patch/tet_index.h"
 
 namespace remeshd {
 
 namespace {
-
-/// A facet of a changed tet by its two larger nodes; the smallest names the bucket it stands in.
-struct BucketFacet {
-  std::int32_t mid, high;
-  std::int32_t owner;  ///< index among the changed tets
-  bool even;           ///< which side of the facet the tet is on
-};
-
-/// The facet of a tet opposite a corner, and its smallest node.
-std::pair<std::int32_t, BucketFacet> facet_of(const Tet& t, int corner, std::int32_t owner) {
-  const auto& f = kTetFacets[corner];
-  std::array<std::int32_t, 3> key{t[f[0]], t[f[1]], t[f[2]]};
-  bool even = true;
-  const auto order = [&](int i, int j) {
-    if (key[i] < key[j]) return;
-    std::swap(key[i], key[j]);
-    even = !even;
-  };
-  order(0, 1);
-  order(1, 2);
-  order(0, 1);
-  return {key[0], {key[1], key[2], owner, even}};
-}
 
 /// The changed tets at one facet, by mesh (Delaunay, output) and side: -1 where there is none.
 using FacetOwners = std::array<std::array<std::int32_t, 2>, 2>;

@@ -1,9 +1,11 @@
 #include "engine/patch/reuse_improved_tets.h"
 
 #include <algorithm>
+#include <numeric>
 
 #include "engine/mesh/quality.h"
 #include "engine/optimise/live_mesh.h"
+#include "engine/patch/same_hull.h"
 #include "engine/patch/tet_index.h"
 
 namespace remeshd {
@@ -20,15 +22,61 @@ class TetReuse {
            std::span<const Transform> transforms, const Run& run)
       : nodes_(nodes),
         tets_(peeled.tets),
-        slots_(peeled.slots),
+        peeled_(peeled.tets.size()),
         original_(original),
         transforms_(transforms),
         poll_(run),
         cavities_(original.cavities) {
-    match();
+    std::iota(peeled_.begin(), peeled_.end(), 0);
+    find_copies();
+    find_images(peeled.slots);
+  }
+
+  /// Where the new mesh has other tets than the original had there, of nodes that stayed and with
+  /// the same hull, takes the original's for them.
+  void undo_flips(const std::function<bool(const Tet&)>& unchanged, const Run& run) {
+    const auto may_go = [&](const Tet& t) { return is_of_one_transform(t) && unchanged(t); };
+    std::vector<std::uint8_t> found(original_.tets.size(), 0);
+    std::vector<Tet> now, now_stay, then, then_stay, both;
+    std::vector<std::int32_t> at, originals;  // of `now` and `then`
+    for (std::size_t k = 0; k < tets_.size(); ++k) {
+      const Tet& t = tets_[k];
+      if (image_[k] >= 0) {
+        found[image_[k]] = 1;
+        both.push_back(t);
+      } else if (may_go(t)) {
+        at.push_back(static_cast<std::int32_t>(k));
+        now.push_back(t);
+      } else {
+        now_stay.push_back(t);
+      }
+    }
+    if (now.empty()) return;
+    for (std::size_t o = 0; o < found.size(); ++o) {
+      if (found[o] != 0) continue;
+      const Tet copies = renamed(original_.tets[o], copy_);
+      if (may_go(copies) && volume_length(nodes_.positions, copies) > 0) {
+        originals.push_back(static_cast<std::int32_t>(o));
+        then.push_back(copies);
+      } else {
+        then_stay.push_back(copies);
+      }
+    }
+    if (then.empty()) return;
+    const SameHull exchange({now, then, now_stay, then_stay, both}, nodes_.positions.size(), run);
+    std::vector<std::uint8_t> goes(tets_.size(), 0);
+    for (std::size_t i = 0; i < now.size(); ++i) goes[at[i]] = exchange.first(i) ? 1 : 0;
+    leave_out(goes);
+    for (std::size_t i = 0; i < then.size(); ++i)
+      if (exchange.second(i)) {
+        tets_.push_back(then[i]);
+        peeled_.push_back(-1);
+        image_.push_back(originals[i]);
+      }
   }
 
   ReusedMesh reuse() {
+    match();
     while (give_back_spoilt()) {
     }
     return assemble();
@@ -44,7 +92,40 @@ class TetReuse {
     return nodes_.transform[t[0]];
   }
 
-  void find_images() {
+  /// Whether four nodes are unmoved copies with one transformation; -1 is no node.
+  [[nodiscard]] bool is_of_one_transform(const Tet& t) const {
+    return std::ranges::all_of(t, [&](std::int32_t n) {
+      return n >= 0 && t[0] >= 0 && unmoved_[n] && nodes_.transform[n] == nodes_.transform[t[0]];
+    });
+  }
+
+  /// Leaves out the tets that go, of which 1 is given.
+  void leave_out(const std::vector<std::uint8_t>& goes) {
+    std::size_t left = 0;
+    for (std::size_t k = 0; k < tets_.size(); ++k) {
+      if (goes[k] != 0) continue;
+      tets_[left] = tets_[k];
+      peeled_[left] = peeled_[k];
+      image_[left++] = image_[k];
+    }
+    tets_.resize(left);
+    peeled_.resize(left);
+    image_.resize(left);
+  }
+
+  void find_copies() {
+    unmoved_.assign(nodes_.size(), 0);
+    copy_.assign(original_.positions.size(), -1);
+    for (std::int32_t n = 0; n < nodes_.size(); ++n) {
+      const std::int32_t o = nodes_.original[n];
+      if (o < 0) continue;
+      unmoved_[n] =
+          nodes_.positions[n] == transforms_[nodes_.transform[n]].apply(original_.positions[o]);
+      if (unmoved_[n]) copy_[o] = n;
+    }
+  }
+
+  void find_images(std::span<const std::int32_t> slots) {
     std::vector<std::int32_t> at_slot(original_.inside.size(), -1);  // the original's peeled tet
     std::int32_t next = 0;
     for (std::size_t s = 0; s < at_slot.size(); ++s)
@@ -56,7 +137,7 @@ class TetReuse {
     for (std::size_t k = 0; k < tets_.size(); ++k) {
       poll_();
       if (common_transform(tets_[k], originals) < 0) continue;
-      const auto slot = static_cast<std::size_t>(slots_[k]);
+      const auto slot = static_cast<std::size_t>(slots[k]);
       const std::int32_t o = slot < at_slot.size() ? at_slot[slot] : -1;
       if (o >= 0 && original_.tets[o] == originals) {
         image_[k] = o;
@@ -73,13 +154,6 @@ class TetReuse {
   }
 
   void match() {
-    const std::int32_t count = nodes_.size();
-    unmoved_.assign(count, 0);
-    for (std::int32_t n = 0; n < count; ++n)
-      if (nodes_.original[n] >= 0)
-        unmoved_[n] = nodes_.positions[n] == transforms_[nodes_.transform[n]].apply(
-                                                 original_.positions[nodes_.original[n]]);
-    find_images();
     std::vector<std::uint32_t> found(cavities_.list.size(), 0);
     std::vector<std::int32_t> transform(cavities_.list.size(), -1);
     std::vector<std::uint8_t> whole(cavities_.list.size(), 1);
@@ -96,14 +170,11 @@ class TetReuse {
     // its output tets, with their nodes renamed to the copies.
     cavity_tets_.resize(cavities_.list.size());
     reused_cavity_.assign(cavities_.list.size(), 0);
-    std::vector<std::int32_t> copy(original_.positions.size(), -1);
-    for (std::int32_t n = 0; n < count; ++n)
-      if (unmoved_[n]) copy[nodes_.original[n]] = n;
     for (std::size_t p = 0; p < cavities_.list.size(); ++p) {
       if (!whole[p] || found[p] != cavities_.list[p].delaunay.size()) continue;
       // Output tets may have nodes that none of the cavity's Delaunay tets has.
       const auto came_along = [&](std::int32_t n) {
-        return copy[n] >= 0 && nodes_.transform[copy[n]] == transform[p];
+        return copy_[n] >= 0 && nodes_.transform[copy_[n]] == transform[p];
       };
       const auto& output = cavities_.list[p].output;
       if (!std::ranges::all_of(output, [&](std::int32_t d) {
@@ -112,7 +183,7 @@ class TetReuse {
         continue;
       reused_cavity_[p] = 1;
       for (const std::int32_t d : output)
-        cavity_tets_[p].push_back(renamed(original_.output[d], copy));
+        cavity_tets_[p].push_back(renamed(original_.output[d], copy_));
     }
     reused_.assign(tets_.size(), 0);
     for (std::size_t k = 0; k < tets_.size(); ++k)
@@ -204,8 +275,7 @@ class TetReuse {
     };
     for (std::size_t k = 0; k < tets_.size(); ++k) {
       if (reused_[k] && !stands_for_itself(k)) continue;  // its cavity's tets are added below
-      add(tets_[k], !reused_[k], static_cast<std::int32_t>(k),
-          image_[k] < 0 ? -1 : cavities_.same[image_[k]]);
+      add(tets_[k], !reused_[k], peeled_[k], image_[k] < 0 ? -1 : cavities_.same[image_[k]]);
     }
     for (std::size_t p = 0; p < cavity_tets_.size(); ++p) {
       if (!reused_cavity_[p]) continue;
@@ -216,13 +286,14 @@ class TetReuse {
   }
 
   const NodeSet& nodes_;
-  std::span<const Tet> tets_;
-  std::span<const std::int32_t> slots_;  ///< by tet
+  std::vector<Tet> tets_;  ///< the new Delaunay mesh's; the original's where flips were undone
+  std::vector<std::int32_t> peeled_;  ///< by tet: that of the new Delaunay mesh, or -1
   const MeshPatch& original_;
   std::span<const Transform> transforms_;
   Polling poll_;
   const Cavities& cavities_;
   std::vector<std::uint8_t> unmoved_;  ///< by node: still the exact copy of its original
+  std::vector<std::int32_t> copy_;     ///< by node of the original: its unmoved copy, or -1
   std::vector<std::uint8_t> held_;     ///< by node: 1 at reused tets and at the interface
   std::vector<std::int32_t> image_;    ///< by tet: the same Delaunay tet of the original, or -1
   std::vector<std::uint8_t> reused_;   ///< by tet
@@ -234,8 +305,10 @@ class TetReuse {
 
 ReusedMesh reuse_improved_tets(const NodeSet& nodes, const PeeledMesh& peeled,
                                const MeshPatch& original, std::span<const Transform> transforms,
-                               const Run& run) {
-  return TetReuse(nodes, peeled, original, transforms, run).reuse();
+                               const std::function<bool(const Tet&)>& unchanged, const Run& run) {
+  TetReuse reuse(nodes, peeled, original, transforms, run);
+  if (unchanged) reuse.undo_flips(unchanged, run);
+  return reuse.reuse();
 }
 
 }  // namespace remeshd

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -33,11 +34,17 @@ struct ReusedMesh {
 /// output position; where that would spoil a tet next to them, the tets round them are not
 /// reused.
 ///
+/// Where nodes moved by next to nothing, as by a morph, the new mesh may have other tets of the
+/// same nodes than the original, with the same hull: the original's are taken for them, and
+/// cavities are found all the same.
+///
 /// `peeled`: the new peeled Delaunay mesh over `nodes`, made out of that of `original`: a tet that
-/// was left alone stands in the same slot. `transforms`: as in CopyPlan. Interface nodes keep
-/// their output position; throws PatchTooSmall where one of them would have to move.
+/// was left alone stands in the same slot. `transforms`: as in CopyPlan. `unchanged`: whether the
+/// models are the same round a tet of `nodes`, so that it may be exchanged for others; may be null:
+/// none is. Interface nodes keep their output position; throws PatchTooSmall where one of them
+/// would have to move.
 ReusedMesh reuse_improved_tets(const NodeSet& nodes, const PeeledMesh& peeled,
                                const MeshPatch& original, std::span<const Transform> transforms,
-                               const Run& run);
+                               const std::function<bool(const Tet&)>& unchanged, const Run& run);
 
 }  // namespace remeshd

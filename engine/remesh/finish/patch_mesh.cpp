@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
 #include <numeric>
 #include <utility>
 
@@ -239,9 +240,14 @@ std::vector<std::int32_t> looked_up(std::span<const std::int32_t> values,
 ReusedMesh cleaned_up(Candidate& c, const MeshingTask& task, const MeshPatch& patch,
                       bool clean_up) {
   const MeshOptions& options = task.options;
-  ReusedMesh reused = options.clean_up ? reuse_improved_tets(c.nodes, c.delaunay, patch,
-                                                             task.plan.transforms(), task.run)
-                                       : all_new(c);
+  // Even meshes are to stay as older versions made them, with cavities that a flip breaks.
+  std::function<bool(const Tet&)> unchanged;
+  if (!options.sizing.even)
+    unchanged = [&](const Tet& t) { return !task.plan.meets_changed(t, c.nodes.positions); };
+  ReusedMesh reused = options.clean_up
+                          ? reuse_improved_tets(c.nodes, c.delaunay, patch, task.plan.transforms(),
+                                                unchanged, task.run)
+                          : all_new(c);
   task.run.report("improve", 0.85);
   c.bad_at_interface = 0;
   if (!clean_up) return reused;
