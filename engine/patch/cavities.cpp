@@ -47,24 +47,18 @@ void join_across_facets(std::span<const Tet> tets, std::size_t delaunay_count,
         visit(low, facet);
       }
   });
-  std::vector<std::uint8_t> done;
   for (std::size_t n = 0; n < node_count; ++n) {
     poll();
-    const std::span<const BucketFacet> at = facets[n];
-    done.assign(at.size(), 0);
-    for (std::size_t a = 0; a < at.size(); ++a) {
-      if (done[a] != 0) continue;
+    for_each_facet(facets[n], [&](const std::vector<BucketFacet>& same) {
       FacetOwners owners{{{-1, -1}, {-1, -1}}};
-      for (std::size_t b = a; b < at.size(); ++b) {
-        if (at[a].mid != at[b].mid || at[a].high != at[b].high) continue;
-        done[b] = 1;
-        const bool output = static_cast<std::size_t>(at[b].owner) >= delaunay_count;
-        std::int32_t& owner = owners[output ? 1 : 0][at[b].even ? 1 : 0];
-        if (owner >= 0) sets.join(owner, at[b].owner);  // two on one side: the mesh is wrong there
-        owner = at[b].owner;
+      for (const BucketFacet& facet : same) {
+        const bool output = static_cast<std::size_t>(facet.owner) >= delaunay_count;
+        std::int32_t& owner = owners[output ? 1 : 0][facet.even ? 1 : 0];
+        if (owner >= 0) sets.join(owner, facet.owner);  // two on one side: the mesh is wrong there
+        owner = facet.owner;
       }
       join_at_facet(owners, extent, sets);
-    }
+    });
   }
 }
 

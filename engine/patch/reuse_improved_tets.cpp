@@ -83,15 +83,6 @@ class TetReuse {
   }
 
  private:
-  /// Transformation shared by four unmoved copies, -1 otherwise; fills in their originals.
-  std::int32_t common_transform(const Tet& t, Tet& originals) const {
-    for (int i = 0; i < 4; ++i) {
-      if (!unmoved_[t[i]] || nodes_.transform[t[i]] != nodes_.transform[t[0]]) return -1;
-      originals[i] = nodes_.original[t[i]];
-    }
-    return nodes_.transform[t[0]];
-  }
-
   /// Whether four nodes are unmoved copies with one transformation; -1 is no node.
   [[nodiscard]] bool is_of_one_transform(const Tet& t) const {
     return std::ranges::all_of(t, [&](std::int32_t n) {
@@ -133,10 +124,10 @@ class TetReuse {
     std::vector<std::uint8_t> taken(original_.tets.size(), 0);
     std::vector<std::int32_t> others;  // tets not in the slot of their original
     image_.assign(tets_.size(), -1);
-    Tet originals{};
     for (std::size_t k = 0; k < tets_.size(); ++k) {
       poll_();
-      if (common_transform(tets_[k], originals) < 0) continue;
+      if (!is_of_one_transform(tets_[k])) continue;
+      const Tet originals = renamed(tets_[k], nodes_.original);
       const auto slot = static_cast<std::size_t>(slots[k]);
       const std::int32_t o = slot < at_slot.size() ? at_slot[slot] : -1;
       if (o >= 0 && original_.tets[o] == originals) {
@@ -147,10 +138,7 @@ class TetReuse {
       }
     }
     const TetIndex index(original_.tets, taken, original_.positions.size(), false, poll_);
-    for (const std::int32_t k : others) {
-      common_transform(tets_[k], originals);
-      image_[k] = index.find(originals);
-    }
+    for (const std::int32_t k : others) image_[k] = index.find(renamed(tets_[k], nodes_.original));
   }
 
   void match() {

@@ -40,30 +40,18 @@ Grouping<BucketFacet> facets_of(const TwoMeshes& meshes, std::size_t node_count)
   });
 }
 
-bool is_of_first(std::int32_t owner, std::size_t first_count) {
-  return owner == kFirstStays || (owner >= 0 && static_cast<std::size_t>(owner) < first_count);
-}
-
-/// Calls visit(owners) for each facet of a bucket.
-template <class Visit>
-void for_each_facet(std::span<const BucketFacet> bucket, std::size_t first_count,
-                    std::vector<std::uint8_t>& done, const Visit& visit) {
-  done.assign(bucket.size(), 0);
-  for (std::size_t a = 0; a < bucket.size(); ++a) {
-    if (done[a] != 0) continue;
-    FacetOwners owners{{{kNone, kNone}, {kNone, kNone}}};
-    for (std::size_t b = a; b < bucket.size(); ++b) {
-      if (bucket[a].mid != bucket[b].mid || bucket[a].high != bucket[b].high) continue;
-      done[b] = 1;
-      const std::int32_t owner = bucket[b].owner;
-      const int side = bucket[b].even ? 1 : 0;
-      if (owner == kBoth)
-        owners[0][side] = owners[1][side] = kBoth;
-      else
-        owners[is_of_first(owner, first_count) ? 0 : 1][side] = owner;
-    }
-    visit(owners);
+FacetOwners owners_of(const std::vector<BucketFacet>& same, std::size_t first_count) {
+  FacetOwners owners{{{kNone, kNone}, {kNone, kNone}}};
+  for (const auto& [mid, high, owner, even] : same) {
+    const int side = even ? 1 : 0;
+    const bool of_first =
+        owner == kFirstStays || (owner >= 0 && static_cast<std::size_t>(owner) < first_count);
+    if (owner == kBoth)
+      owners[0][side] = owners[1][side] = kBoth;
+    else
+      owners[of_first ? 0 : 1][side] = owner;
   }
+  return owners;
 }
 
 }  // namespace
@@ -74,10 +62,10 @@ SameHull::SameHull(const TwoMeshes& meshes, std::size_t node_count, const Run& r
   const auto facets = facets_of(meshes, node_count);
   std::vector<std::pair<std::int32_t, std::int32_t>> needs;  // a tet, one that needs it
   std::vector<std::int32_t> out;
-  std::vector<std::uint8_t> done;
   for (std::size_t n = 0; n < node_count; ++n) {
     poll();
-    for_each_facet(facets[n], first_count_, done, [&](const FacetOwners& owners) {
+    for_each_facet(facets[n], [&](const std::vector<BucketFacet>& same) {
+      const FacetOwners owners = owners_of(same, first_count_);
       for (int mesh = 0; mesh < 2; ++mesh)
         for (int side = 0; side < 2; ++side) {
           const std::int32_t tet = owners[mesh][side], across = owners[mesh][1 - side];
