@@ -1,5 +1,6 @@
 #include "engine/patch/same_hull.h"
 
+#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -25,6 +26,7 @@ Grouping<BucketFacet> facets_of(const TwoMeshes& meshes, std::size_t node_count)
   const auto is_looked_at = [&](std::int32_t n) { return n >= 0 && at_some[n] != 0; };
   return grouped<BucketFacet>(node_count, [&](const auto& visit) {
     const auto visit_facets = [&](const Tet& t, std::int32_t owner) {
+      if (std::ranges::count_if(t, is_looked_at) < 3) return;
       for (int i = 0; i < 4; ++i) {
         const auto [low, facet] = facet_of(t, i, owner);
         if (is_looked_at(low) && is_looked_at(facet.mid) && is_looked_at(facet.high))
