@@ -32,7 +32,7 @@ TEST(SameHull, EndsAtTetsThatBothMeshesHave) {
 }
 
 TEST(SameHull, LeavesOutWhatMeetsATetThatStays) {
-  // The facet 0 1 3 has a neighbour in the first mesh alone, and one in both where it is the same.
+  // The tet below the facet 0 1 2 stays, and the second mesh has no such facet.
   const std::vector<Tet> two{kTwo[0]}, stays{kTwo[1]};
   const SameHull hull({.first = two, .second = kThree, .first_stay = stays}, 5, kRun);
   EXPECT_EQ(exchanged(hull, 1, 3), std::vector(4, false));
