@@ -25,7 +25,7 @@ struct TwoMeshes {
 /// Each tet needs others, facet by facet. Where the other mesh has a tet on the same side of the
 /// facet, it needs that one. Where the other mesh has no such facet, it needs its own neighbour
 /// across it; on the surface it needs none. Otherwise it cannot be exchanged, and no tet can that
-/// needs it. Tets that meet no others at a facet are exchanged for nothing: the other mesh has none.
+/// needs it. A tet whose facets all lie on the surface, as one that peeling leaves, needs none.
 class SameHull {
  public:
   /// `node_count`: more than every node number of the tets. Throws Cancelled.
