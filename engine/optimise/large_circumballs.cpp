@@ -10,9 +10,6 @@ namespace remeshd {
 
 namespace {
 
-// x edge length. In regular meshes half of the circumradii are below .63, and all but a few in a
-// thousand below this.
-constexpr double kLargestBall = 0.75;
 constexpr double kFlat = 1e-9;  // x least edge length^3: six times the volume of a flat tet
 
 struct Circumball {
@@ -30,10 +27,11 @@ std::optional<Circumball> ball_of(const std::vector<Vec3>& p, const Tet& t, doub
 }  // namespace
 
 std::int32_t insert_at_circumcentres(NodeSet& nodes, std::span<const Tet> tets,
-                                     const InsideTest& inside, const SizeField& sizes) {
+                                     const InsideTest& inside, const SizeField& sizes,
+                                     double largest) {
   const auto least2 = [&](const Vec3& p) {
-    const double l = sizes(p);
-    return kLargestBall * kLargestBall * l * l;
+    const double l = largest * sizes(p);
+    return l * l;
   };
   const double flat = sizes.least() * sizes.least() * sizes.least();
   std::vector<Circumball> large_circumballs;

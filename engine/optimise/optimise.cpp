@@ -1,6 +1,7 @@
 #include "engine/optimise/optimise.h"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 #include "engine/mesh/grouping.h"
@@ -108,8 +109,9 @@ OptimiseResult optimise(NodeSet& nodes, StartMesh start, const BoundaryModel& bo
     if (!run.dumps.empty()) dump_nodes(run, dump_name(k), nodes, options.sizes, live.tets());
     const std::vector<Tet> tets = live.tets_at(relocated(nodes));
     const double now = options.iterations == 0 ? mean_quality(nodes, tets, run) : 0;
-    const bool filled = options.insert_at_circumcentres && k == kFillAt &&
-                        insert_at_circumcentres(nodes, tets, inside, options.sizes) > 0;
+    const bool filled =
+        std::isfinite(options.largest_ball) && k == kFillAt &&
+        insert_at_circumcentres(nodes, tets, inside, options.sizes, options.largest_ball) > 0;
     lengths.follow(nodes.positions, run);
     relocate(nodes, tets, inside, lengths, run);
     lengths.follow(nodes.positions, run);

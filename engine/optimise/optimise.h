@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -23,9 +24,9 @@ struct OptimiseOptions {
   /// A free node that moved less than this share of the edge length in an iteration is frozen: it
   /// stays where it is (one on the boundary until the final boundary procedure) and counts as free.
   double freeze = 0.01;
-  /// Whether voids that a remesh starts with, between its nodes, get new nodes in iteration 3
-  /// (large_circumballs.h).
-  bool insert_at_circumcentres = false;
+  /// Voids that a remesh starts with, between its nodes, get new nodes in iteration 3: where a
+  /// circumradius, x edge length, is larger than this (large_circumballs.h).
+  double largest_ball = HUGE_VAL;
   /// Whether much of what is meshed is walls one to two edge lengths thick. In the first two
   /// iterations the boundary then pulls only on nodes near it, so that some stay in the middle of
   /// such a wall; else all of them would go to its sides, with flat tets between.

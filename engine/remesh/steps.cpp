@@ -16,6 +16,7 @@
 #include "engine/nodes/dump.h"
 #include "engine/nodes/fill/fill.h"
 #include "engine/nodes/place_supports.h"
+#include "engine/optimise/large_circumballs.h"
 #include "engine/optimise/live_mesh.h"
 #include "engine/remesh/finish/insert_nodes.h"
 #include "engine/remesh/node_limit.h"
@@ -305,21 +306,32 @@ SampledBoundary sample(const MeshingTask& task, PatchNodes& local, Attempt& atte
   return sampled;
 }
 
+namespace {
+
+/// Circumradius above which a tet stands in a void, x edge length. None does where the density is
+/// not the parent's: between nodes of two densities tets are large too.
+double largest_ball(const MeshingTask& task) {
+  if (task.all_free || !task.density.inherited) return HUGE_VAL;
+  const bool even = task.options.sizing.even || task.density.sizes.even();
+  return even ? kLargestBallEven : kLargestBallSized;
+}
+
+}  // namespace
+
 OptimiseResult optimise(const MeshingTask& task, PatchNodes& local, const SampledBoundary& sampled,
                         Attempt& attempt) {
   Stopwatch watch;
   const BoundaryModel& boundary = task.cells.boundary;
   NodeSet& nodes = local.nodes;
   const bool all_free = nodes.elsewhere == 0 && nodes.count(NodeState::Fixed) == 0;
-  OptimiseResult loop =
-      optimise(nodes, start_mesh(local, task.plan, boundary.bounds, task.run), boundary,
-               sampled.inside, sampled.samples,
-               {.sizes = task.density.sizes,
-                .iterations = task.options.iterations,
-                .insert_at_circumcentres = !task.all_free && task.density.inherited,
-                .thin_walls = has_thin_walls(task, nodes, sampled.samples),
-                .rebuild = task.options.rebuild},
-               task.run);
+  OptimiseResult loop = optimise(nodes, start_mesh(local, task.plan, boundary.bounds, task.run),
+                                 boundary, sampled.inside, sampled.samples,
+                                 {.sizes = task.density.sizes,
+                                  .iterations = task.options.iterations,
+                                  .largest_ball = largest_ball(task),
+                                  .thin_walls = has_thin_walls(task, nodes, sampled.samples),
+                                  .rebuild = task.options.rebuild},
+                                 task.run);
   insert_in_segments(nodes, loop.mesh, nodes.size(), boundary,
                      {.sizes = task.density.sizes,
                       .wanted = loop.active_edges,

@@ -21,7 +21,7 @@ const std::vector<Tet> kTet{{0, 1, 2, 3}};
 
 TEST(FillVoids, ALargeBallGetsANodeAtItsCentre) {
   NodeSet nodes = corners(0.8);
-  insert_at_circumcentres(nodes, kTet, everywhere, 1);
+  insert_at_circumcentres(nodes, kTet, everywhere, 1, kLargestBallEven);
   ASSERT_EQ(nodes.size(), 5);
   EXPECT_LT(norm(nodes.positions[4]), 1e-12);
   EXPECT_TRUE(nodes.is_free(4));
@@ -29,23 +29,24 @@ TEST(FillVoids, ALargeBallGetsANodeAtItsCentre) {
 
 TEST(FillVoids, ABallOfTheUsualSizeDoesNot) {
   NodeSet nodes = corners(0.65);
-  insert_at_circumcentres(nodes, kTet, everywhere, 1);
+  insert_at_circumcentres(nodes, kTet, everywhere, 1, kLargestBallEven);
   EXPECT_EQ(nodes.size(), 4);
 }
 
 TEST(FillVoids, TetsThatShareABallGetOneNode) {
   NodeSet nodes = corners(0.8);
-  insert_at_circumcentres(nodes, std::vector<Tet>{kTet[0], kTet[0]}, everywhere, 1);
+  insert_at_circumcentres(nodes, std::vector<Tet>{kTet[0], kTet[0]}, everywhere, 1,
+                          kLargestBallEven);
   EXPECT_EQ(nodes.size(), 5);
 }
 
 TEST(FillVoids, NoNodeComesOutsideOrNextToABoundary) {
   NodeSet nodes = corners(0.8);
   insert_at_circumcentres(
-      nodes, kTet, [](const Vec3&) { return false; }, 1);
+      nodes, kTet, [](const Vec3&) { return false; }, 1, kLargestBallEven);
   EXPECT_EQ(nodes.size(), 4);
   nodes.supports[2] = {Support::Kind::Face, 0};
-  insert_at_circumcentres(nodes, kTet, everywhere, 1);
+  insert_at_circumcentres(nodes, kTet, everywhere, 1, kLargestBallEven);
   EXPECT_EQ(nodes.size(), 4);
 }
 
