@@ -1,6 +1,7 @@
 #include "engine/sizing/size_controls.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <optional>
@@ -21,6 +22,8 @@ struct SelectionLimits {
   double part_length = 0.5;         ///< of the length asked for: triangles at the border of a part
   double material_balls = 50000;    ///< in the boxes of all features named, about
   std::size_t triangles = 500'000;  ///< of all parts of faces
+  double aside = 1e-6;              ///< x diagonal: points beside a face, to tell whose it is
+  double rectangle = 1e-9;          ///< by how much rounding may change a rectangle's sides
 };
 constexpr SelectionLimits kSelectionLimits;
 
@@ -39,17 +42,75 @@ std::vector<const SizedFaces*> selected_on(const BoundaryFace& face, const Selec
 
 bool is_conditional(const SizedFaces& sized) { return !sized.on.condition.text.empty(); }
 
-/// The part of a face of the boundary where the condition holds, as fine as the length asked for.
+/// Whether a length is asked for on all of a face of the boundary: no condition leaves a part of it
+/// out, and faces of other features that are flush with it have that length or less by `selected`,
+/// which are all of a control's that name the face.
+bool is_on_all_of(const BoundaryFace& face, const SizedFaces& sized,
+                  const std::vector<const SizedFaces*>& selected) {
+  const auto has_it = [&](const FaceName& name) {
+    return std::ranges::any_of(selected, [&](const SizedFaces* other) {
+      return other->on.feature == name.feature && !is_conditional(*other) &&
+             other->size <= sized.size;
+    });
+  };
+  return !is_conditional(sized) && std::ranges::all_of(face.names, has_it);
+}
+
+/// The parts of a face of the boundary that are of a feature's own face, where the condition holds,
+/// as fine as the length asked for.
 std::vector<std::array<Vec3, 3>> part_of(const BoundaryFace& face, const SizedFaces& sized,
-                                         const Run& run) {
-  return part_where(face, sized.on.condition, kSelectionLimits.part_length * sized.size, run);
+                                         const Membership& membership, const Run& run) {
+  const double length = kSelectionLimits.part_length * sized.size;
+  const Solid& solid = membership.solids()[sized.on.feature];
+  if (std::ranges::all_of(face.names,
+                          [&](const FaceName& name) { return name.feature == sized.on.feature; }))
+    return part_where(face, sized.on.condition, length, run);
+  const double aside = kSelectionLimits.aside * membership.bounds().diagonal();
+  std::optional<ConditionTest> holds;
+  if (is_conditional(sized)) holds.emplace(sized.on.condition);
+  const auto is_own = [&](const Vec3& at, const Vec3& n) {
+    const Vec3 p = project(face.surface, at);
+    return solid.contains(p + aside * n) != solid.contains(p - aside * n) &&
+           (!holds || (*holds)(p, n));
+  };
+  const Box box = intersection(box_of(face.points), grown(solid.bounds(), aside));
+  return part_within(box, face, is_own, length, run);
+}
+
+/// Whether a plane face is a rectangle with sides along the axes, and fills its box.
+bool fills_box(const BoundaryFace& face) {
+  const Vec3 extent = box_of(face.points).hi - box_of(face.points).lo;
+  std::array<double, 3> sides{extent.x, extent.y, extent.z};
+  std::ranges::sort(sides);
+  return sides[0] <= kSelectionLimits.rectangle * sides[2] &&
+         face.area >= (1 - kSelectionLimits.rectangle) * sides[1] * sides[2];
+}
+
+/// What all of a face asks for. A plane one that does not fill its box is given by its triangles:
+/// its plane goes on in the material under what stands on it.
+void add_face(const BoundaryFace& face, double size, std::vector<SizeSource>& sources) {
+  SizeSource source{.piece = face.surface,
+                    .box = box_of(face.points),
+                    .size = size / kReserveOnFaces,
+                    .asked = true,
+                    .wanted = size};
+  if (face.surface.kind != Surface::Kind::Plane || fills_box(face)) {
+    sources.push_back(std::move(source));
+    return;
+  }
+  for (const auto& [a, b, c] : face.triangles) {
+    const std::array<Vec3, 3> triangle{face.points[a], face.points[b], face.points[c]};
+    source.piece = triangle;
+    source.box = box_of(triangle);
+    sources.push_back(source);
+  }
 }
 
 /// Covers the material of features that size controls name with balls of the length asked for.
 class MaterialCover {
  public:
-  MaterialCover(const FeatureModel& model, const Run& run)
-      : model_(model), run_(run), membership_(model) {
+  MaterialCover(const FeatureModel& model, const Membership& membership, const Run& run)
+      : model_(model), run_(run), membership_(membership) {
     for (const SizeControl& control : model.sizes)
       if (const auto* selected = std::get_if<Selected>(&control.place))
         features_ += std::ranges::count_if(*selected, [&](const auto& s) { return has_any(s); });
@@ -94,7 +155,7 @@ class MaterialCover {
 
   const FeatureModel& model_;
   const Run& run_;
-  Membership membership_;
+  const Membership& membership_;
   std::ptrdiff_t features_ = 0;  ///< whose material is named
 };
 
@@ -133,18 +194,20 @@ std::vector<SizeSource> size_sources(const FeatureModel& model, const BoundaryMo
   std::vector<SizeSource> sources;
   if (model.sizes.empty()) return sources;
   std::size_t triangles = 0;
-  const MaterialCover material(model, run);
+  const Membership membership(model);
+  const MaterialCover material(model, membership, run);
   for (const SizeControl& control : model.sizes) {
     if (const auto* selected = std::get_if<Selected>(&control.place)) {
       for (const SizedFaces& sized : *selected)
         for (const SizedBall& ball : material.of(sized)) sources.push_back(source_of(ball));
-      for (std::size_t f = 0; f < on.size(); ++f)
-        for (const SizedFaces* sized : selected_on(boundary.faces[f], *selected)) {
-          if (!is_conditional(*sized)) {
+      for (std::size_t f = 0; f < on.size(); ++f) {
+        const auto named = selected_on(boundary.faces[f], *selected);
+        for (const SizedFaces* sized : named) {
+          if (is_on_all_of(boundary.faces[f], *sized, named)) {
             on[f] = std::fmin(on[f], sized->size);
             continue;
           }
-          const auto part = part_of(boundary.faces[f], *sized, run);
+          const auto part = part_of(boundary.faces[f], *sized, membership, run);
           triangles += part.size();
           if (triangles > kSelectionLimits.triangles)
             throw error::limit_exceeded("", "sizes." + control.id + ".on",
@@ -157,6 +220,7 @@ std::vector<SizeSource> size_sources(const FeatureModel& model, const BoundaryMo
                                .asked = true,
                                .wanted = sized->size});
         }
+      }
     } else if (const auto* ball = std::get_if<SizedBall>(&control.place)) {
       sources.push_back(source_of(*ball));
     } else {
@@ -164,12 +228,7 @@ std::vector<SizeSource> size_sources(const FeatureModel& model, const BoundaryMo
     }
   }
   for (std::size_t f = 0; f < on.size(); ++f)
-    if (std::isfinite(on[f]))
-      sources.push_back({.piece = boundary.faces[f].surface,
-                         .box = box_of(boundary.faces[f].points),
-                         .size = on[f] / kReserveOnFaces,
-                         .asked = true,
-                         .wanted = on[f]});
+    if (std::isfinite(on[f])) add_face(boundary.faces[f], on[f], sources);
   return sources;
 }
 
@@ -189,13 +248,14 @@ std::vector<std::string> sizes_of_nothing(const FeatureModel& model, const Bound
                                           const Run& run) {
   std::vector<std::string> ids;
   if (model.sizes.empty()) return ids;
-  const MaterialCover material(model, run);
+  const Membership membership(model);
+  const MaterialCover material(model, membership, run);
   for (const SizeControl& control : model.sizes) {
     const auto* selected = std::get_if<Selected>(&control.place);
     if (selected == nullptr) continue;
     const auto names = [&](const BoundaryFace& face) {
       return std::ranges::any_of(selected_on(face, *selected), [&](const SizedFaces* sized) {
-        return !is_conditional(*sized) || !part_of(face, *sized, run).empty();
+        return !is_conditional(*sized) || !part_of(face, *sized, membership, run).empty();
       });
     };
     const auto has_material = [&](const SizedFaces& s) { return !material.of(s).empty(); };

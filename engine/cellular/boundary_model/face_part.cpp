@@ -54,28 +54,29 @@ std::array<std::array<Vec3, 3>, 2> halved(const std::array<Vec3, 3>& t, int side
   return {{{a, middle, c}, {middle, b, c}}};
 }
 
-/// Divides the triangles of a face where a condition changes.
+/// Divides the triangles of a face where a test changes.
 class FaceDivider {
  public:
-  FaceDivider(const BoundaryFace& face, const OpenExpression& condition, double length,
+  FaceDivider(const Box& box, const BoundaryFace& face, const FaceTest& holds, double length,
               const Run& run)
-      : face_(face), holds_(condition), poll_(run) {
-    const double diagonal = box_of(face.points).diagonal();
+      : box_(box), face_(face), holds_(holds), poll_(run) {
+    const double diagonal = box.diagonal();
     first_ = kPartLimits.first * diagonal;
     shortest_ = std::fmax(length, kPartLimits.shortest * diagonal);
   }
 
-  /// Appends the parts of the triangle on which the condition holds.
+  /// Appends the parts of the triangle on which the test holds.
   void add(const std::array<Vec3, 3>& triangle) {
     if (divide(triangle)) part_.push_back(triangle);
   }
   [[nodiscard]] std::vector<std::array<Vec3, 3>> part() && { return std::move(part_); }
 
  private:
-  /// True if the condition holds on all of the triangle, which the caller has to append then;
+  /// True if the test holds on all of the triangle, which the caller has to append then;
   /// otherwise the parts on which it holds are appended here.
   bool divide(const std::array<Vec3, 3>& t) {
     poll_();
+    if (intersection(box_of(t), box_).empty()) return false;
     const int longest = longest_side(t);
     const double length = length_of_side(t, longest);
     if (length <= first_) {
@@ -93,10 +94,11 @@ class FaceDivider {
     return false;
   }
 
-  [[nodiscard]] bool at(const Vec3& p) { return holds_(p, outward_normal(face_, p)); }
+  [[nodiscard]] bool at(const Vec3& p) const { return holds_(p, outward_normal(face_, p)); }
 
+  const Box& box_;
   const BoundaryFace& face_;
-  ConditionTest holds_;
+  const FaceTest& holds_;
   Polling poll_;
   double first_ = 0, shortest_ = 0;
   std::vector<std::array<Vec3, 3>> part_;
@@ -246,13 +248,21 @@ double area_where(const BoundaryFace& face, const PlaceTest& holds, const Run& r
   return measure.share() * face.area;
 }
 
-std::vector<std::array<Vec3, 3>> part_where(const BoundaryFace& face,
-                                            const OpenExpression& condition, double length,
-                                            const Run& run) {
-  FaceDivider divider(face, condition, length, run);
+std::vector<std::array<Vec3, 3>> part_within(const Box& box, const BoundaryFace& face,
+                                             const FaceTest& holds, double length, const Run& run) {
+  FaceDivider divider(box, face, holds, length, run);
   for (const auto& t : face.triangles)
     divider.add({face.points[t[0]], face.points[t[1]], face.points[t[2]]});
   return std::move(divider).part();
+}
+
+std::vector<std::array<Vec3, 3>> part_where(const BoundaryFace& face,
+                                            const OpenExpression& condition, double length,
+                                            const Run& run) {
+  ConditionTest test(condition);
+  return part_within(
+      box_of(face.points), face, [&](const Vec3& p, const Vec3& n) { return test(p, n); }, length,
+      run);
 }
 
 }  // namespace remeshd

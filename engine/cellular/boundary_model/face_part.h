@@ -10,13 +10,20 @@
 
 namespace remeshd {
 
-/// The part of a face where a condition holds, as outward oriented triangles. Corners that are not
-/// of the face's own triangulation lie on its surface.
+/// Tests a point of a face: f(point, outward unit normal of the face there).
+using FaceTest = std::function<bool(const Vec3&, const Vec3&)>;
+
+/// The part of a face in a box where a test holds, as outward oriented triangles. Corners that are
+/// not of the face's own triangulation lie on its surface; points tested may be a chord's height
+/// off.
 ///
-/// Triangles longer than 1/16 of the diagonal of the face's box are bisected. The condition is then
-/// tested at a triangle's corners, midpoints of sides and centroid; where it holds at some of them
-/// only, bisection goes on down to `length`, or to 1/1000 of the diagonal if that is more, and
+/// Triangles that meet the box and are longer than 1/16 of its diagonal are bisected. A triangle is
+/// then tested at its corners, midpoints of sides and centroid; where the test holds at some of
+/// them only, bisection goes on down to `length`, or to 1/1000 of the diagonal if that is more, and
 /// there the centroid decides. A part narrower than 1/16 of the diagonal may be missed.
+std::vector<std::array<Vec3, 3>> part_within(const Box& box, const BoundaryFace& face,
+                                             const FaceTest& holds, double length, const Run& run);
+/// The same of a condition, in the box of the face.
 std::vector<std::array<Vec3, 3>> part_where(const BoundaryFace& face,
                                             const OpenExpression& condition, double length,
                                             const Run& run);

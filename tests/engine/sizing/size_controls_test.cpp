@@ -60,6 +60,48 @@ TEST(SizeControls, OnAPlaneFaceHoldAllOverIt) {
   EXPECT_NEAR(field({0, 25, 3}), on_face(1) + 0.3 * 5, 1e-9);
 }
 
+/// The field of a model on whose faces lengths are asked for, by no rule.
+SizeField field_of(std::vector<FeatureSource> features, std::vector<SizeControlSource> sizes,
+                   double base) {
+  ModelSource source = test::model_of(std::move(features));
+  source.sizes = std::move(sizes);
+  const FeatureModel model = evaluate(source);
+  const BoundaryModel boundary = build_cells(model, kRun).boundary;
+  return SizeRules(boundary, {.even = false, .edges_per_circle = 0, .layers = 0}, base, kRun,
+                   size_sources(model, boundary, kRun))
+      .field(base, 1);
+}
+
+TEST(SizeControls, OnAFaceHoldOnNoOtherFeaturesFaceThatIsFlushWithIt) {
+  // The top of the pad and that of the plate are one face of the boundary.
+  const std::vector<FeatureSource> pad{test::block("plate", 100, 100, 20),
+                                       test::placed(test::block("pad", 4, 4, 10), 20, 10, 10)};
+  const SizeField on_pad = field_of(pad, {{"s", "pad.top", 1.0}}, 10);
+  EXPECT_NEAR(on_pad({21, 9, 20}), on_face(1), 1e-6);
+  EXPECT_NEAR(on_pad({40, 10, 20}), on_face(1) + 0.3 * 18, 0.15);
+  EXPECT_EQ(on_pad({-45, -45, 20}), 10);
+  const SizeField on_both = field_of(pad, {{"s", "*.top", 1.0}}, 10);
+  EXPECT_NEAR(on_both({-45, -45, 20}), on_face(1), 1e-6);
+  const SizeField uneven = field_of(pad, {{"s", "*.top", "dx/4"}}, 10);
+  EXPECT_NEAR(uneven({21, 9, 20}), on_face(1), 1e-6);
+  EXPECT_EQ(uneven({-45, -45, 20}), 10);
+  // A seat on a shaft: its wall is the middle of the shaft's.
+  const std::vector<FeatureSource> seat{test::cylinder("shaft", 10, 100),
+                                        test::placed(test::cylinder("seat", 10, 8), 0, 0, 46)};
+  const SizeField on_seat = field_of(seat, {{"s", "seat.wall", 1.0}}, 6);
+  EXPECT_NEAR(on_seat({10, 0, 50}), on_face(1), 0.05);
+  EXPECT_EQ(on_seat({10, 0, 10}), 6);
+}
+
+TEST(SizeControls, OnAPlaneFaceDoNotHoldUnderWhatStandsOnIt) {
+  const SizeField field = field_of(
+      {test::block("plate", 100, 100, 20), test::placed(test::block("boss", 80, 80, 10), 0, 0, 20)},
+      {{"s", "plate.top", 2.0}}, 10);
+  EXPECT_NEAR(field({45, 0, 20}), on_face(2), 1e-9);
+  EXPECT_NEAR(field({30, 0, 20}), on_face(2) + 0.3 * 10, 1e-9);
+  EXPECT_EQ(field({0, 0, 20}), 10);
+}
+
 TEST(SizeControls, OnAConeAreTheLengthItself) {
   const SizeField field = Plate({{"a", "tip.wall", 1.0}}).field();
   EXPECT_NEAR(field({21, 0, 8}), on_face(1), 1e-9);
