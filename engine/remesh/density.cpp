@@ -74,18 +74,18 @@ Warning outside(const std::string& size) {
           .groups = {size}};
 }
 
-/// The warning that faces have details smaller than the least size. It names their features.
-Warning below_least(const std::vector<int>& faces, double least, const FeatureModel& model,
-                    const BoundaryModel& boundary) {
+/// The warning that faces have details smaller than the least size. It names their features, that
+/// of the smallest detail first, and is where that is.
+Warning below_least(const std::vector<SizeRules::AskedOnFace>& asked, double least,
+                    const FeatureModel& model, const BoundaryModel& boundary) {
   Warning warning{.code = WarningCode::DetailNotResolved};
-  for (const int f : faces)
-    for (const FaceName& name : boundary.faces[f].names) {
+  for (const auto& detail : asked)
+    for (const FaceName& name : boundary.faces[detail.face].names) {
       const std::string& id = model.features[name.feature].id;
       if (std::ranges::find(warning.features, id) == warning.features.end())
         warning.features.push_back(id);
     }
-  const auto& first = boundary.faces[faces.front()];
-  warning.point = first.points.front();
+  warning.point = asked.front().at;
   warning.message = "details of " + warning.features.front() +
                     (warning.features.size() > 1
                          ? " and " + std::to_string(warning.features.size() - 1) + " more features"
@@ -221,12 +221,12 @@ void set_sizes(Density& density, double edge_length, const Revision& parent,
   density.weakening = budgeted.weakening;
   density.fewest_links =
       rules.fewest_links(cells.boundary, density.sizes.base(), density.weakening);
-  const std::vector<int> faces = rules.unresolved(density.sizes.base(), density.weakening);
+  const auto too_small = rules.unresolved(density.sizes.base(), density.weakening);
   for (const std::string& size : sizes_outside(model, cells.boundary.bounds))
     density.warnings.push_back(outside(size));
-  if (!faces.empty())
-    density.warnings.push_back(below_least(faces, least_size(options.sizing, density.sizes.base()),
-                                           model, cells.boundary));
+  if (!too_small.empty())
+    density.warnings.push_back(below_least(
+        too_small, least_size(options.sizing, density.sizes.base()), model, cells.boundary));
 }
 
 }  // namespace

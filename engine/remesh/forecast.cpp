@@ -113,9 +113,9 @@ std::vector<Forecast::Detail> details_of(const Density& density, const FeatureMo
     double& of_face = least.try_emplace({feature, face}, size).first->second;
     of_face = std::fmin(of_face, size);
   };
-  for (const auto& [face, size] : rules.asked_on_faces(density.weakening))
-    if (const FaceName& name = cells.boundary.faces[face].names.front(); name.feature >= 0)
-      ask(model.features[name.feature].id, name.face, size);
+  for (const auto& detail : rules.asked_on_faces(density.weakening))
+    if (const FaceName& name = cells.boundary.faces[detail.face].names.front(); name.feature >= 0)
+      ask(model.features[name.feature].id, name.face, detail.size);
   std::set<std::pair<int, std::string>> on_boundary;
   for (const BoundaryFace& face : cells.boundary.faces)
     for (const FaceName& name : face.names) on_boundary.emplace(name.feature, name.face);

@@ -21,6 +21,7 @@ struct BudgetLimits {
   double coarsest = 2;        ///< x base size of an even mesh: no coarser one is looked for
   double fewest_edges = 7.2;  ///< rules ask for no fewer on a circle, which certainly gets 6 then
   double beside = 0.1;        ///< of a bracket: no try is nearer to its ends
+  double worth = 0.03;        ///< share of the nodes that weaker rules have to save
   int bisections = 50;
   std::size_t sampled = 2500;  ///< samples of a start's nodes, and of the area of thin sides
 };
@@ -193,6 +194,20 @@ class Starts {
   const Run& run_;
 };
 
+/// The share of the nodes of a mesh with one field that one with another, coarser, does without;
+/// about, from what both ask for at the nodes of a start.
+double saved_share(const Start& start, const SizeField& fine, const SizeField& coarse) {
+  const std::vector<Vec3>& places = start.places();
+  double of_fine = 0, of_coarse = 0;
+  for (std::size_t n = 0; n < places.size(); n += 1 + places.size() / kBudgetLimits.sampled) {
+    const double finer = start.field()(places[n]) / fine(places[n]);
+    const double longer = coarse(places[n]) / fine(places[n]);
+    of_fine += finer * finer * finer;
+    of_coarse += finer * finer * finer / (longer * longer * longer);
+  }
+  return of_fine > 0 ? 1 - of_coarse / of_fine : 0;
+}
+
 /// The number of nodes with which the rules hold without weakening: that for which a start with its
 /// coarsest base size has as many. Counts jump where films get edges, so that two starts predict
 /// it, and the larger number is taken.
@@ -215,17 +230,16 @@ double coarsest_base(const CellularModel& cells, double nodes) {
 
 Budgeted sizes_for_budget(std::uint32_t nodes, const SizeRules& rules, const MeshOptions& options,
                           const FeatureModel& model, const CellularModel& cells, const Run& run) {
-  // Where only sizes of the model ask for short edges, weaker rules would save no node.
-  const double weakest =
-      rules.ask_for_less_than(coarsest_base(cells, nodes))
-          ? std::fmax(1, options.sizing.edges_per_circle / kBudgetLimits.fewest_edges)
-          : 1;
-  const Starts starts(rules, options, model, cells.boundary.bounds,
-                      weakest * coarsest_base(cells, nodes), run);
+  const double coarsest = coarsest_base(cells, nodes);
+  const double weakest = std::fmax(1, options.sizing.edges_per_circle / kBudgetLimits.fewest_edges);
+  const Starts starts(rules, options, model, cells.boundary.bounds, weakest * coarsest, run);
   const double guess = edge_length_for(cells.volume, cells.area, nodes);
   if (SizeField sizes = rules.field(guess, 1); sizes.even()) return {.sizes = std::move(sizes)};
-  CoarsenessSearch search(nodes, guess, weakest);
-  const Start first = starts.of(search.now());
+  const Start first = starts.of({guess, 1});
+  // Where sizes of the model ask for as short edges as the rules do, weaker rules save no node.
+  const bool is_worth = saved_share(first, rules.field(coarsest, 1),
+                                    rules.field(coarsest, weakest)) >= kBudgetLimits.worth;
+  CoarsenessSearch search(nodes, guess, is_worth ? weakest : 1);
   if (search.goes_on(first))
     while (search.goes_on(starts.of(search.now()))) {
     }

@@ -12,6 +12,7 @@
 #include "engine/base/region.h"
 #include "engine/nodes/nearest.h"
 #include "engine/revision/delaunay_state.h"
+#include "engine/sizing/size_rules.h"
 
 namespace remeshd {
 namespace {
@@ -56,23 +57,24 @@ class Reach {
  public:
   Reach(const CopyPlan& plan, const Revision& parent, const Revision& wanted, double least)
       : plan_(plan),
-        sizing_(wanted.options.sizing),
+        growth_(wanted.options.sizing.growth),
+        across_(edges_asked_across(wanted.options.sizing)),
         least_(least),
         everywhere_(!same_rules(parent, wanted)) {}
 
   /// Whether a change may be why the length at a place is `now` and was `before`. A change asks for
   /// the least length or more, and lengths grow with the distance from it; or it is the other side
-  /// of a wall, `layers` edge lengths away.
+  /// of a wall, `edges_asked_across` edge lengths away.
   [[nodiscard]] bool holds(const Vec3& p, double before, double now) const {
     if (everywhere_) return true;
     const double longer = std::fmax(before, now);
-    const double grown = (longer - least_) / (sizing_.growth - 1);
-    return plan_.in_changed(p, std::fmax(grown, sizing_.layers * longer));
+    const double grown = (longer - least_) / (growth_ - 1);
+    return plan_.in_changed(p, std::fmax(grown, across_ * longer));
   }
 
  private:
   const CopyPlan& plan_;
-  const Sizing& sizing_;
+  double growth_, across_;
   double least_;  ///< least edge length
   bool everywhere_;
 };

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <utility>
 
 #include "engine/base/angle.h"
@@ -24,6 +25,7 @@ constexpr double kOnFace = 0.82;    // nodes per square of the edge length
 constexpr double kInVolume = 1.41;  // nodes per cube of the edge length
 
 constexpr double kRounding = 1e-9;  // of a number of edges
+constexpr double kMostAcross = 3;   // x layers: edges asked for across a wall
 
 struct CircleSteps {
   double share = 0.5;    ///< x the length asked for: step between circles of a torus
@@ -31,6 +33,16 @@ struct CircleSteps {
   double most = 1e4;     ///< circles on a face, about
 };
 constexpr CircleSteps kCircles;
+
+/// Of the faces of an edge one that is not plane, where there is one: a hole's rather than that of
+/// the plate it is in.
+int rounder_face_of(const BoundaryEdge& edge, const BoundaryModel& boundary) {
+  const auto is_round = [&](int f) {
+    return boundary.faces[f].surface.kind != Surface::Kind::Plane;
+  };
+  const auto found = std::ranges::find_if(edge.faces, is_round);
+  return found != edge.faces.end() ? *found : edge.faces.front();
+}
 
 /// A circle as a torus with minor radius 0.
 Surface circle(const Vec3& centre, const Vec3& axis, double radius) {
@@ -107,6 +119,15 @@ double least_size(const Sizing& sizing, double base) {
   return std::fmin(base, sizing.min_size.value_or(kLeastShare * base));
 }
 
+double edges_asked_across(const Sizing& sizing) {
+  const double layers = sizing.layers;
+  if (layers <= 1) return layers;
+  // From each side the length grows by the slope: 2 ln(1 + asked slope / 2) / slope edges fit.
+  const double slope = sizing.growth - 1;
+  const double asked = 2 / slope * std::expm1(0.5 * slope * kReserveInside * layers);
+  return std::fmin(asked, kMostAcross * layers);
+}
+
 std::vector<SizeRules::Detail> SizeRules::round_details_of(const BoundaryModel& boundary,
                                                            double per_radius, double slope,
                                                            double least) {
@@ -116,6 +137,7 @@ std::vector<SizeRules::Detail> SizeRules::round_details_of(const BoundaryModel& 
     const BoundaryFace& face = boundary.faces[f];
     const Surface& surface = face.surface;
     const Box box = box_of(face.points);
+    const Vec3& at = face.points.front();
     switch (surface.kind) {
       case Kind::Plane:
         break;
@@ -124,24 +146,25 @@ std::vector<SizeRules::Detail> SizeRules::round_details_of(const BoundaryModel& 
         if (per_radius * std::fabs(surface.r2) > slope) {
           const Vec3 p = nearest_to_axis(face);
           const double size = per_radius * radius_of_curvature(surface, p);
-          details.push_back({f, {circle_through(surface, p), box, size}, true});
+          details.push_back({f, p, {circle_through(surface, p), box, size}, true});
         } else {
-          details.push_back({f, {surface, box, per_radius}, true});
+          details.push_back({f, at, {surface, box, per_radius}, true});
         }
         break;
       case Kind::Cylinder:
       case Kind::Sphere:
-        details.push_back({f, {surface, box, per_radius * surface.r1}});
+        details.push_back({f, at, {surface, box, per_radius * surface.r1}});
         break;
       case Kind::Torus:
-        details.push_back({f, {surface, box, per_radius * surface.r2}});
+        details.push_back({f, at, {surface, box, per_radius * surface.r2}});
         add_circles_of(face, f, per_radius, least, details);
     }
   }
   for (const BoundaryEdge& edge : boundary.edges)
     if (const Curve& c = edge.curve; c.kind == Curve::Kind::Circle)
       details.push_back(
-          {edge.faces.front(),
+          {rounder_face_of(edge, boundary),
+           edge.points.front(),
            {circle(c.origin, c.direction, c.radius), box_of(edge.points), per_radius * c.radius}});
   return details;
 }
@@ -166,7 +189,7 @@ void SizeRules::add_circles_of(const BoundaryFace& face, int index, double per_r
     const Box box = intersection(circles.box(angle), of_face);
     // An apple, the outer part of a spindle torus, has nothing between its tips.
     if (circles.radius(angle) > 0 && is_tight(angle) && !box.empty())
-      details.push_back({index, {circles.at(angle), box, size}, tapers});
+      details.push_back({index, face.points.front(), {circles.at(angle), box, size}, tapers});
     const double step = kCircles.share * std::fmax(size, least) / torus.r2;
     angle += std::fmin(kCircles.widest, std::fmax(step, (highest - lowest) / kCircles.most));
   }
@@ -180,26 +203,26 @@ std::vector<SizeRules::Detail> SizeRules::short_edges_of(const BoundaryModel& bo
     // The middle of the edge as well, for it may be an arc.
     const std::array<Vec3, 3> piece{edge.points.front(), edge.points[edge.points.size() / 2],
                                     edge.points.back()};
-    edges.push_back({edge.faces.front(), {piece, box_of(piece), edge.length}});
+    edges.push_back(
+        {rounder_face_of(edge, boundary), piece[1], {piece, box_of(piece), edge.length}});
   }
   return edges;
 }
 
 void SizeRules::add_narrow_faces(const BoundaryModel& boundary, double most, double least,
                                  const Run& run) {
-  const double layers = sizing_.layers;
   const NarrowFaceLimits limits{
-      .most = layers * most, .least = layers * least, .film = layers * kLowStep * least};
+      .most = across_ * most, .least = across_ * least, .film = across_ * kLowStep * least};
   for (const NarrowPlace& place : narrow_faces(boundary, limits, run)) {
     const auto& [a, b] = place.piece;
     const std::array<Vec3, 3> piece{a, 0.5 * (a + b), b};
-    details_.push_back({place.face, {piece, box_of(piece), place.width / layers}});
+    details_.push_back({place.face, piece[1], {piece, box_of(piece), place.width / across_}});
   }
 }
 
 SizeRules::SizeRules(const BoundaryModel& boundary, const Sizing& sizing, const BaseSizes& bases,
                      const Run& run, std::vector<SizeSource> asked)
-    : sizing_(sizing), bounds_(boundary.bounds) {
+    : sizing_(sizing), across_(edges_asked_across(sizing)), bounds_(boundary.bounds) {
   if (sizing.even) return;
   asked_ = std::move(asked);
   const double most = bases.greatest;
@@ -212,10 +235,10 @@ SizeRules::SizeRules(const BoundaryModel& boundary, const Sizing& sizing, const 
   details_.insert(details_.end(), edges.begin(), edges.end());
   add_narrow_faces(boundary, most, least, run);
   thin_places_ = thin_places(boundary,
-                             {.most = sizing.layers * most,
-                              .least = sizing.layers * least,
-                              .film = sizing.layers * kFilm * least,
-                              .slope = sizing.layers * slope()},
+                             {.most = across_ * most,
+                              .least = across_ * least,
+                              .film = across_ * kFilm * least,
+                              .slope = across_ * slope()},
                              run);
 }
 
@@ -231,32 +254,30 @@ SizeField SizeRules::field(double base, double weakening) const {
   return SizeField({base, least_size(sizing_, base), slope()}, std::move(sources), bounds_);
 }
 
-bool SizeRules::ask_for_less_than(double length) const {
-  return std::ranges::any_of(details_,
-                             [&](const Detail& detail) { return detail.source.size < length; }) ||
-         std::ranges::any_of(thin_places_,
-                             [&](const ThinPlace& place) { return size_of(place) < length; });
-}
-
 std::vector<SizeRules::AskedOnFace> SizeRules::asked_on_faces(double weakening) const {
   std::vector<AskedOnFace> asked;
   for (const Detail& detail : details_)
-    if (!detail.tapers) asked.push_back({detail.face, weakening * detail.source.size});
+    if (!detail.tapers) asked.push_back({detail.face, weakening * detail.source.size, detail.at});
   for (const ThinPlace& place : thin_places_)
-    asked.push_back({place.face, weakening * size_of(place)});
+    asked.push_back({place.face, weakening * size_of(place), place.triangle.front()});
   return asked;
 }
 
-std::vector<int> SizeRules::unresolved(double base, double weakening) const {
+std::vector<SizeRules::AskedOnFace> SizeRules::unresolved(double base, double weakening) const {
   const double least = least_size(sizing_, base);
-  std::vector<int> faces;
-  for (const auto& [face, size] : asked_on_faces(weakening))
-    if (size < least) faces.push_back(face);
+  std::map<int, AskedOnFace> by_face;
+  const auto add = [&](const AskedOnFace& asked) {
+    const auto [found, is_first] = by_face.try_emplace(asked.face, asked);
+    if (!is_first && asked.size < found->second.size) found->second = asked;
+  };
+  for (const AskedOnFace& asked : asked_on_faces(weakening))
+    if (asked.size < least) add(asked);
   for (const ThinPlace& place : thin_places_)
-    if (place.thinner) faces.push_back(place.face);
-  std::ranges::sort(faces);
-  const auto twice = std::ranges::unique(faces);
-  faces.erase(twice.begin(), twice.end());
+    if (place.thinner)
+      add({place.face, std::fmin(least, weakening * size_of(place)), place.triangle.front()});
+  std::vector<AskedOnFace> faces;
+  for (const auto& [face, asked] : by_face) faces.push_back(asked);
+  std::ranges::stable_sort(faces, {}, &AskedOnFace::size);
   return faces;
 }
 

@@ -13,6 +13,10 @@ namespace remeshd {
 /// The length below which no rule goes in a field of this base size.
 double least_size(const Sizing& sizing, double base);
 
+/// By how much edges on the sides of a wall are shorter than it is thick, so that `layers` of them
+/// come out across: more than `layers`, for between the sides the field grows.
+double edges_asked_across(const Sizing& sizing);
+
 /// A piece of a side of a wall or gap.
 struct ThinSide {
   Vec3 middle;
@@ -53,17 +57,14 @@ class SizeRules {
   /// or where the least size holds; on an arc its share of that, rounded down; on other edges 0.
   [[nodiscard]] std::vector<int> fewest_links(const BoundaryModel& boundary, double base,
                                               double weakening) const;
-  /// Faces where the rules ask for less than the least size, which such a field does not go below;
-  /// ascending.
-  [[nodiscard]] std::vector<int> unresolved(double base, double weakening) const;
-
-  /// Whether the rules, not the model's sizes, ask for less than a length anywhere.
-  [[nodiscard]] bool ask_for_less_than(double length) const;
-
   struct AskedOnFace {
     int face;
     double size;
+    Vec3 at;  ///< a point of what asks for it
   };
+  /// Faces where the rules ask for less than the least size, which such a field does not go below,
+  /// each once with the least length asked for; the shortest first.
+  [[nodiscard]] std::vector<AskedOnFace> unresolved(double base, double weakening) const;
   /// What the rules ask for on faces and their edges, but for what tapers to a point; a face may
   /// come several times.
   [[nodiscard]] std::vector<AskedOnFace> asked_on_faces(double weakening) const;
@@ -74,6 +75,7 @@ class SizeRules {
   /// What a rule asks for on a face or along an edge of it.
   struct Detail {
     int face;
+    Vec3 at;  ///< a point of the piece, or of the face
     SizeSource source;
     bool tapers = false;  ///< to a point, near which any edge is too long
   };
@@ -90,14 +92,13 @@ class SizeRules {
   /// `least` that edges across would not make better tets.
   void add_narrow_faces(const BoundaryModel& boundary, double most, double least, const Run& run);
   /// What is asked for across a thin place.
-  [[nodiscard]] double size_of(const ThinPlace& place) const {
-    return place.thickness / sizing_.layers;
-  }
+  [[nodiscard]] double size_of(const ThinPlace& place) const { return place.thickness / across_; }
 
   std::vector<Detail> details_;
   std::vector<ThinPlace> thin_places_;
   std::vector<SizeSource> asked_;
   Sizing sizing_;
+  double across_;  ///< `edges_asked_across`
   Box bounds_;
 };
 

@@ -29,9 +29,24 @@ TEST(SizeRules, CirclesAskForTheirEdgesAndWallsForTheirLayers) {
   EXPECT_NEAR(field({2, 0, 1}), 6.28 * 2 / 12, 0.2);
   EXPECT_NEAR(field({25, 25, 0}), 3, 1e-9);
   const SizeField two = SizeRules(boundary, {.even = false, .layers = 2}, 8, kRun).field(8, 1);
-  EXPECT_NEAR(two({25, 25, 0}), 1.5, 1e-9);
+  EXPECT_NEAR(two({25, 25, 0}), 3 / edges_asked_across({.even = false, .layers = 2}), 1e-9);
   const SizeField none = SizeRules(boundary, {.even = false, .layers = 0}, 8, kRun).field(8, 1);
   EXPECT_NEAR(none({29, 29, 0}), 8, 1e-9);
+}
+
+TEST(SizeRules, AsManyEdgesAsLayersFitAcrossAWall) {
+  // Between the sides the field grows: for three layers there was room for 2.5 edges.
+  const BoundaryModel plate =
+      build_cells(evaluate(test::model_of({test::block("b", 60, 60, 3)})), kRun).boundary;
+  for (const std::uint32_t layers : {1U, 2U, 3U, 4U, 6U, 10U, 16U}) {
+    const SizeField field =
+        SizeRules(plate, {.even = false, .layers = layers, .min_size = 0.01}, 8, kRun).field(8, 1);
+    double edges = 0;
+    constexpr int kSteps = 1000;
+    for (int k = 0; k < kSteps; ++k) edges += 3.0 / kSteps / field({5, 5, 3 * (k + 0.5) / kSteps});
+    EXPECT_GT(edges, 0.85 * layers) << layers;
+    EXPECT_LT(edges, 1.15 * layers) << layers;
+  }
 }
 
 BoundaryModel revolved(std::vector<ProfileEntry> profile) {
@@ -125,10 +140,9 @@ TEST(SizeRules, NameTheFacesThatTheLeastSizeLeavesUnresolved) {
   Sizing sizing{.even = false, .layers = 0, .min_size = 1.5};
   const auto faces = SizeRules(boundary, sizing, 8, kRun).unresolved(8, 1);
   ASSERT_FALSE(faces.empty());
-  for (const int f : faces)
-    EXPECT_TRUE(boundary.faces[f].surface.kind == Surface::Kind::Cylinder ||
-                boundary.faces[f].names.front().face == "top" ||
-                boundary.faces[f].names.front().face == "bottom");
+  EXPECT_EQ(faces.size(), 1U) << "the hole's wall, not the plate that its rims are on";
+  EXPECT_EQ(boundary.faces[faces.front().face].names.front().face, "wall");
+  EXPECT_NEAR(std::hypot(faces.front().at.x, faces.front().at.y), 2, 1e-6);
   sizing.min_size = 0.5;
   EXPECT_TRUE(SizeRules(boundary, sizing, 8, kRun).unresolved(8, 1).empty());
 }
@@ -142,7 +156,8 @@ TEST(SizeRules, AFilmGetsNoEdgesForItsThicknessAndIsUnresolved) {
     EXPECT_NEAR(rules.field(8, 1)({0, 0, 0}), thickness < 0.2 ? 8 : 0.8, 1e-9) << thickness;
     if (thickness > 0.2) continue;
     std::set<std::string> unresolved;
-    for (const int f : rules.unresolved(8, 1)) unresolved.insert(plate.faces[f].names.front().face);
+    for (const auto& asked : rules.unresolved(8, 1))
+      unresolved.insert(plate.faces[asked.face].names.front().face);
     EXPECT_TRUE(unresolved.contains("top") && unresolved.contains("bottom"));
   }
 }
