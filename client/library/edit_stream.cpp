@@ -129,14 +129,15 @@ std::optional<remesh::v1::EditStreamRequest> EditStream::Impl::to_send(const Una
   const bool first = &next == &unanswered_.front();
   if (next.sent_before) {
     if (how_to_resend(next.message, last_ ? &*last_ : nullptr) == Resend::AsItIs)
-      return next.message;
+      return last_ ? in_design_of_last(next.message, *last_) : next.message;
     if (!first) return std::nullopt;  // the result before it has not come yet
     return on_last(next.message, *last_);
   }
   // In a new call the daemon does not know the last result, the base of an edit that names none.
+  if (call_->used || !last_) return next.message;
   const bool follows = next.message.has_edit() && next.message.edit().base().empty() &&
                        next.message.edit().design().empty();
-  if (!follows || call_->used || !last_) return next.message;
+  if (!follows) return in_design_of_last(next.message, *last_);
   remesh::v1::EditStreamRequest message = next.message;
   const auto& revision = last_->revision();
   message.mutable_edit()->set_base(revision.design().empty() ? revision.id() : revision.design());

@@ -13,6 +13,11 @@ bool names_one_revision(const std::string& reference) {
   return reference.find('@') != std::string::npos || !is_name(reference);
 }
 
+/// Whether an edit names no design and is to be in one all the same.
+bool wants_a_design(const remesh::v1::EditRevisionRequest& edit) {
+  return edit.design().empty() && (!edit.head().has_file() || edit.head().file());
+}
+
 }  // namespace
 
 Resend how_to_resend(const remesh::v1::EditStreamRequest& request,
@@ -30,8 +35,16 @@ Resend how_to_resend(const remesh::v1::EditStreamRequest& request,
 remesh::v1::EditStreamRequest on_last(remesh::v1::EditStreamRequest request,
                                       const remesh::v1::RevisionResult& last) {
   auto& edit = *request.mutable_edit();
-  if (edit.design().empty()) edit.set_design(last.revision().design());
+  if (wants_a_design(edit)) edit.set_design(last.revision().design());
   edit.set_base(last.head().empty() ? last.revision().id() : last.head());
+  return request;
+}
+
+remesh::v1::EditStreamRequest in_design_of_last(remesh::v1::EditStreamRequest request,
+                                                const remesh::v1::RevisionResult& last) {
+  if (request.has_edit() && request.edit().base() == last.revision().id() &&
+      wants_a_design(request.edit()))
+    request.mutable_edit()->set_design(last.revision().design());
   return request;
 }
 

@@ -23,4 +23,9 @@ Resend how_to_resend(const remesh::v1::EditStreamRequest& request,
 remesh::v1::EditStreamRequest on_last(remesh::v1::EditStreamRequest request,
                                       const remesh::v1::RevisionResult& last);
 
+/// The same request, in the last result's design where it is an edit of that by its id: the id may
+/// be in several, and a daemon knows the last result of its own call alone.
+remesh::v1::EditStreamRequest in_design_of_last(remesh::v1::EditStreamRequest request,
+                                                const remesh::v1::RevisionResult& last);
+
 }  // namespace remeshd::client

@@ -212,10 +212,9 @@ Command EditStream::command(std::string& bytes, std::optional<v1::MeshSelection>
   if (message.has_create()) return decode(message.create(), limits_.document);
   if (!message.has_edit()) throw error::side_invalid("request", "is empty");
   EditCommand edit = decode(message.edit(), limits_.document);
-  if (edit.base.empty()) {
-    const std::scoped_lock lock(mutex_);
-    edit.base = edit.design.empty() ? next_base_ : edit.design;
-  }
+  const std::scoped_lock lock(mutex_);
+  edit.last_design = next_base_;  // an id is the name of none
+  if (edit.base.empty()) edit.base = edit.design.empty() ? next_base_ : edit.design;
   return edit;
 }
 

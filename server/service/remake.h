@@ -15,7 +15,8 @@ namespace remeshd {
 /// ancestors made for it, the furthest first. For the lane of preparations; does not wait: a parent
 /// whose mesh has gone is fetched, and the steps after that are taken, by other threads.
 ///
-/// Throws Error: what names no revision, or one without a recipe.
+/// Throws Error: what names no revision, or one without a recipe; MISSING_FIELD where nothing says
+/// which of several designs is meant.
 MakeRequestPtr remake(
     Session& session, const remesh::v1::RemakeRevisionRequest& request,
     std::function<void(const Made&, const std::vector<std::string>& ancestors)> made,

@@ -80,6 +80,10 @@ class Archive {
   void look_at_named(const std::string& text);
   void look_at_places(const std::string& id);
   void look_at_designs();
+  /// The design that a revision named by its id stands in; empty for none. Of several it is `last`,
+  /// the one that the client worked on last. Throws Error: MISSING_FIELD where that is none of
+  /// them; what `look_at_places` throws.
+  std::string design_of(const std::string& id, const std::string& last = {});
   /// Takes a revision's mesh from the shared tier into the store and returns the revision; null
   /// where the tier has no valid copy. Throws Error(TIER_UNAVAILABLE) where the tier fails, or does
   /// not answer the look-up within `limits::kTierLookUp`; else what `find` throws.

@@ -19,6 +19,18 @@ void check_expected(const DesignRecord& design, const std::string& expected) {
     throw error::head_conflict(design.name, expected, design.head);
 }
 
+/// That nothing says which of the designs that have a revision is meant.
+Error several_designs(const std::string& id, const std::vector<PlaceRecord>& places) {
+  constexpr std::size_t kTold = 3;
+  std::string hint = id.substr(0, 12) + " stands in ";
+  for (std::size_t i = 0; i < std::min(places.size(), kTold); ++i)
+    hint += (i == 0 ? "`" : ", `") + places[i].design + "`";
+  if (places.size() > kTold) hint += " and " + std::to_string(places.size() - kTold) + " more";
+  const PlaceRecord& first = places.front();
+  return error::field_missing("design", hint + ": name one, or give " + first.design + "@" +
+                                            std::to_string(first.number) + " in place of the id");
+}
+
 }  // namespace
 
 void Archive::look_at_design(const std::string& design) {
@@ -37,6 +49,16 @@ void Archive::look_at_places(const std::string& id) {
 
 void Archive::look_at_designs() {
   if (designs_) designs_->refresh_all();
+}
+
+std::string Archive::design_of(const std::string& id, const std::string& last) {
+  look_at_places(id);
+  const auto places = store_.read([&](Catalogue& catalogue) { return catalogue.places(id); });
+  if (places.empty()) return "";
+  if (places.size() == 1) return places.front().design;
+  if (std::ranges::find(places, last, &PlaceRecord::design) == places.end())
+    throw several_designs(id, places);
+  return last;
 }
 
 bool Archive::commit_designs(const SharedDesigns::Make& make, Store::OnFullDisk on_full_disk) {

@@ -70,8 +70,9 @@ struct EditCommand {
   ModelEdit edit;
   std::string document;  ///< of the edit, as it is kept with the revision
   OptionsPatch options;
-  std::string design;  ///< empty: the base's; where that has none, none
-  HeadRule head;       ///< expected: empty means the base
+  std::string design;       ///< empty: the base's; where that has none, none
+  std::string last_design;  ///< that of a base named by its id, where it stands in this and others
+  HeadRule head;            ///< expected: empty means the base
   std::vector<WarningCode> fail_on;
   int threads = 1;
   Locate locate{};

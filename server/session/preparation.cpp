@@ -37,12 +37,7 @@ std::optional<EditBase> Preparation::base_of(const Command& command) const {
   }
   EditBase base{.id = reference.id,
                 .design = edit->design.empty() ? reference.design : edit->design};
-  if (base.design.empty()) {
-    archive_.look_at_places(base.id);
-    const auto places =
-        archive_.store().read([&](Catalogue& catalogue) { return catalogue.places(base.id); });
-    if (!places.empty()) base.design = places.front().design;
-  }
+  if (base.design.empty()) base.design = archive_.design_of(base.id, edit->last_design);
   if (!base.design.empty()) {
     check_design_name(base.design);
     archive_.check_home(base.design);

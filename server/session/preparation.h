@@ -41,7 +41,7 @@ class Preparation {
       : engine_(engine), archive_(archive), threads_(threads), max_nodes_(max_nodes) {}
 
   /// Resolves the base of an edit, for `prepare`; nothing for a first mesh. Throws Error where
-  /// there is no such revision, or the design's name cannot be one.
+  /// there is no such revision, the design's name cannot be one, or it is missing.
   [[nodiscard]] std::optional<EditBase> base_of(const Command& command) const;
   /// `revision`: that of the base, null for a first mesh. Throws Error where something is wrong
   /// with the command, with the place in the document that it came as.

@@ -158,12 +158,8 @@ class Session {
     if (reference.empty()) throw error::reference_missing("revision");
     return archive_.resolve(reference);
   }
-  /// The first design that a revision stands in; empty for none.
-  std::string design_of(const std::string& id) {
-    archive_.look_at_places(id);
-    const auto places = store_->read([&](Catalogue& catalogue) { return catalogue.places(id); });
-    return places.empty() ? "" : places.front().design;
-  }
+  /// As Archive::design_of.
+  std::string design_of(const std::string& id) { return archive_.design_of(id); }
   /// The archive, for what meshes take in memory and on disk, and which of them stay or go.
   Archive& cache() { return archive_; }
   /// Has a damaged mesh made again and stored. `done` is called with the fault, repaired or with

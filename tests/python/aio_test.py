@@ -48,6 +48,22 @@ def test_a_mesh_has_the_exact_areas_of_its_report():
     assert asyncio.run(part.mesh()).exact_areas == {"load": 6.5}
 
 
+def test_an_edit_goes_to_the_design_of_its_part_and_to_no_other(remeshd, cases):
+    async def scenario(daemon):
+        model = cases / "tool1-a.json"
+        loose = await daemon.mesh(model, nodes=500, file=False)
+        for name in ("anna", "bert"):
+            part = await daemon.mesh(model, nodes=500, design=name)
+        assert (await part.edit(pin_radius=5)).design == "bert"
+        assert (await loose.edit(pin_radius=5)).design == ""
+        async with aio.connect(daemon.address) as other:
+            part = await other.open(loose.revision)
+            assert part.design == ""
+            with pytest.raises(rc.InvalidRequest, match="design"):
+                await part.edit(pin_radius=5)
+    run(remeshd, scenario)
+
+
 def test_errors_and_progress(remeshd, cases):
     async def scenario(daemon):
         told = []

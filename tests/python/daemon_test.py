@@ -258,6 +258,40 @@ with rc.local({remeshd!r}) as daemon:
     assert run.stdout.split() == 60 * ["interrupted"] and run.returncode == 0
 
 
+def test_an_edit_goes_to_the_design_of_its_part_and_to_no_other(daemon, cases):
+    model = cases / "tool1-a.json"
+    anna, bert = (daemon.mesh(model, nodes=500, design=name) for name in ("anna", "bert"))
+    assert anna.revision == bert.revision
+    first = bert.edit(pin_radius=5, mesh=False)
+    assert (first.design, first.number) == ("bert", 2)
+    assert first.edit(pin_radius=5.25, mesh=False).design == "bert"
+    assert daemon.open("anna@1").edit(pin_radius=5, mesh=False).design == "anna"
+    assert [len(daemon.log(name)) for name in ("anna", "bert")] == [2, 3]
+
+
+def test_a_part_that_an_id_names_is_in_no_design_rather_than_in_any_of_several(daemon, cases):
+    model = cases / "tool1-a.json"
+    carl = daemon.mesh(model, nodes=520, design="carl", with_mesh=False)
+    assert daemon.open(carl.revision).design == "carl"
+    daemon.mesh(model, nodes=520, design="dora", with_mesh=False)
+    with rc.connect(daemon.address) as other:  # whose stream has worked on neither
+        part = other.open(carl.revision)
+        assert (part.design, part.number) == ("", 0)
+        with pytest.raises(rc.InvalidRequest) as error:
+            part.edit(pin_radius=5)
+        assert error.value.reason == "MISSING_FIELD" and error.value.parameter == "design"
+        assert "`carl`, `dora`" in error.value.hint
+        assert part.edit(pin_radius=5, mesh=False, file=False).design == ""
+        assert other.open("dora").edit(pin_radius=5, mesh=False).design == "dora"
+
+
+def test_what_is_made_of_a_part_in_no_design_is_in_none(daemon, cases):
+    loose = daemon.mesh(cases / "tool1-a.json", nodes=530, file=False)
+    daemon.mesh(cases / "tool1-a.json", nodes=530, design="emil", with_mesh=False)
+    assert loose.edit(pin_radius=5, mesh=False).design == ""
+    assert len(daemon.log("emil")) == 1
+
+
 def test_threads_may_share_a_daemon(daemon, tool):
     radii = [4.6, 4.8, 5.2, 5.4]
     meshes = {}

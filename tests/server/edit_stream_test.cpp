@@ -93,6 +93,26 @@ TEST_F(EditStreams, EditsThatNameNoBaseFollowTheLastWhereThatIsInNoDesign) {
   EXPECT_EQ(describe(last).places_size(), 0);
 }
 
+TEST_F(EditStreams, TakeTheDesignOfTheirLastResultForAnIdThatStandsInSeveral) {
+  const std::string id = create(plate()).revision().id();
+  v1::EditStreamRequest request;
+  *request.mutable_create() = create_request(plate());
+  request.mutable_create()->set_design("other");
+  open();
+  ASSERT_TRUE(stream_->Write(request));
+  EXPECT_EQ(answer().result().revision().id(), id);
+  send_edit("edit", 11, id);
+  EXPECT_EQ(answer().result().revision().design(), "other");
+  EXPECT_TRUE(close().ok());
+  open();
+  send_edit("edit", 12, id);
+  const auto error = answer().error();
+  EXPECT_EQ(error.reason(), v1::Error::MISSING_FIELD);
+  EXPECT_EQ(error.parameter(), "design");
+  EXPECT_TRUE(close().ok());
+  EXPECT_EQ(describe("plate").revision().number(), 1U);
+}
+
 TEST_F(EditStreams, SendProgressWithItsRequestIdFractionsNeverFalling) {
   open();
   send_create("base", plate());

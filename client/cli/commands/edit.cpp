@@ -52,10 +52,12 @@ int edit(Session& session, const EditArguments& arguments) {
   client::EditStream stream = session.stream();
   // A base that is meshed here takes the options, and the edit inherits them.
   const bool base_is_model = std::holds_alternative<remesh::v1::FeatureModel>(base);
-  request.set_base(in_document(session.documents(), arguments.base, [&] {
+  const MeshedBase from = in_document(session.documents(), arguments.base, [&] {
     return mesh_base(session, stream, base, arguments.meshing);
-  }));
+  });
+  request.set_base(from.revision);
   arguments.meshing.fill(request, !base_is_model);
+  if (request.design().empty()) request.set_design(from.design);
   if (arguments.require_head) request.mutable_head()->set_require(true);
   const auto reply = reply_to(session.documents(), stream, std::move(request), arguments);
   stream.finish();

@@ -83,7 +83,7 @@ std::string start(Session& session, client::EditStream& stream, const Base& base
                   const SweepArguments& arguments) {
   if (const auto* model = std::get_if<remesh::v1::FeatureModel>(&base)) {
     check_parameters(*model, arguments.swept);
-    return mesh_base(session, stream, base, arguments.meshing);
+    return mesh_base(session, stream, base, arguments.meshing).revision;
   }
   const auto description =
       session.client().get_revision(std::get<std::string>(base), session.call());

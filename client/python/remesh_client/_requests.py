@@ -67,10 +67,11 @@ def _digest(create: revision_pb2.CreateRevisionRequest) -> str:
 def edit_of(base: str, edits: Sequence[EditLike], parameters: Mapping[str, Any],
             options: Mapping[str, Any], file: bool | None, with_mesh: bool,
             content: Callable[[], Content | None] | None,
-            on_progress: OnProgress | None, route: str = "") -> Exchange:
-    """Edits a revision. content: gives the base's mesh once that has come; None: there is none."""
+            on_progress: OnProgress | None, route: str = "", design: str = "") -> Exchange:
+    """Edits a revision. content: gives the base's mesh once that has come; None: there is none.
+    design: that is to have the edit; empty: the daemon finds it."""
     edit = revision_pb2.EditRevisionRequest(base=base, options=mesh_options(options),
-                                            head=head_update(file),
+                                            design=design, head=head_update(file),
                                             threads=options.get("threads", 0))
     source = ""
     if len(edits) == 1 and isinstance(edits[0], document_pb2.ModelEdit) and not parameters:

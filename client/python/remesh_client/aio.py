@@ -35,7 +35,7 @@ from remesh_client.edits import EditLike, Model
 from remesh_client.errors import Error, from_rpc, made_here
 from remesh_client.local import LocalDaemon
 from remesh_client.mesh import Mesh
-from remesh_client.part import Revision
+from remesh_client.part import Revision, in_several
 from remesh_client.v1 import mesh_pb2, motion_pb2, report_pb2, revision_pb2, server_pb2
 
 T = TypeVar("T")
@@ -46,8 +46,9 @@ class Part(Revision):
 
     def __init__(self, daemon: Daemon, info: revision_pb2.RevisionInfo, report: report_pb2.Report,
                  exchange: Exchange | None = None, durable: bool = False,
-                 head_conflict: bool = False, route: str | None = None) -> None:
-        super().__init__(info, report, exchange, durable, head_conflict)
+                 head_conflict: bool = False, route: str | None = None,
+                 in_several: bool = False) -> None:
+        super().__init__(info, report, exchange, durable, head_conflict, in_several)
         self._daemon = daemon
         self._route: str = route or info.design or info.root
 
@@ -56,8 +57,8 @@ class Part(Revision):
                    timeout: float | None = None, **parameters: Any) -> Part:
         """The model after edits, remeshed, as Part.edit of the synchronous client."""
         return await self._daemon._make(_requests.edit_of(
-            self.revision, edits, parameters, options or {}, file, mesh, self._base(), progress,
-            self._route), timeout)
+            self.revision, edits, parameters, options or {}, self._filed(file), mesh, self._base(),
+            progress, self._route, self._design_of(file)), timeout)
 
     async def mesh(self) -> Mesh:
         """Its mesh; the same object each time. Raises RemeshError."""
@@ -115,7 +116,8 @@ class Daemon:
         """A revision that is there. Raises NotFound."""
         reply = await self._ask("GetRevision", revision_pb2.GetRevisionRequest(revision=revision),
                                 route_of(revision))
-        return Part(self, reply.revision, reply.report, durable=reply.durable)
+        return Part(self, reply.revision, reply.report, durable=reply.durable,
+                    in_several=in_several(revision, reply))
 
     async def info(self) -> server_pb2.ServerInfo:
         """Version, capabilities, limits and load of the daemon."""

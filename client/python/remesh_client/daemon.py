@@ -26,7 +26,7 @@ from remesh_client.edits import Model
 from remesh_client.errors import Error, from_rpc, made_here
 from remesh_client.local import LocalDaemon
 from remesh_client.options import mesh_options
-from remesh_client.part import Part
+from remesh_client.part import Part, in_several
 from remesh_client.v1 import mesh_pb2, model_pb2, motion_pb2, revision_pb2, server_pb2
 
 T = TypeVar("T")
@@ -64,10 +64,12 @@ class Daemon:
 
     def open(self, revision: str) -> Part:
         """A revision that is there: a design (its head), `design@number`, an id or 8 digits of
-        it. Raises NotFound."""
+        it. Edits of one that an id names and several designs have are refused with their names,
+        unless they are filed in none, or the last edit was in one of these. Raises NotFound."""
         reply = self._ask("GetRevision", revision_pb2.GetRevisionRequest(revision=revision),
                           route_of(revision))
-        return Part(self, reply.revision, reply.report, durable=reply.durable)
+        return Part(self, reply.revision, reply.report, durable=reply.durable,
+                    in_several=in_several(revision, reply))
 
     def validate(self, model: Model, **options: Any) -> model_pb2.ModelCheck:
         """Checks a model without meshing it: a ModelCheck with what its mesh would come to."""

@@ -32,7 +32,7 @@ from remesh_client._search import Search
 from remesh_client.daemon import Daemon, connect
 from remesh_client.edits import Value
 from remesh_client.errors import Busy, Cancelled, NotFound, RemeshError, Unavailable
-from remesh_client.part import Part
+from remesh_client.part import Part, in_several
 from remesh_client.studies import Plan, figures_of, plan_designs, tried_values, values_in
 from remesh_client.v1 import revision_pb2
 
@@ -247,7 +247,8 @@ def _edited(daemon: Daemon, revision: str, change: Mapping[str, Value], timeout:
 
 def _opened(daemon: Daemon, revision: str, route: str) -> Part:
     reply = daemon._ask("GetRevision", revision_pb2.GetRevisionRequest(revision=revision), route)
-    return Part(daemon, reply.revision, reply.report, durable=reply.durable, route=route)
+    return Part(daemon, reply.revision, reply.report, durable=reply.durable, route=route,
+                in_several=in_several(revision, reply))
 
 
 def _replica(daemon: Daemon, part: Part, route: str) -> str:

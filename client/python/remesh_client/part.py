@@ -43,6 +43,12 @@ class Warning:
     __repr__ = __str__
 
 
+def in_several(revision: str, reply: revision_pb2.GetRevisionResponse) -> bool:
+    """Whether a revision was asked for by an id, and is in several designs."""
+    named = revision.rpartition("@")[0] or revision
+    return len(reply.places) > 1 and named != reply.revision.design
+
+
 def warning_of(message: error_pb2.Warning) -> Warning:
     """The warning of a message; a code that is not known yet keeps its number."""
     try:
@@ -58,20 +64,23 @@ def warning_of(message: error_pb2.Warning) -> Warning:
 class Revision:
     """What a Part tells of its revision.
 
-    revision: id. design, number: its place in a design; empty and 0 in none. report: a Report
-    (report.proto), `report.nodes_kept`, `report.seconds.total`. durable: it survives the daemon.
+    revision: id. design, number: its place in a design; empty and 0 in none, and where it was
+    opened by an id that is in several. report: a Report (report.proto), `report.nodes_kept`,
+    `report.seconds.total`. durable: it survives the daemon.
     head_conflict: the design's head was another one by then and stayed. warnings: what the report
     warns of.
     """
 
     def __init__(self, info: revision_pb2.RevisionInfo, report: report_pb2.Report,
-                 exchange: Exchange | None, durable: bool, head_conflict: bool) -> None:
+                 exchange: Exchange | None, durable: bool, head_conflict: bool,
+                 in_several: bool) -> None:
         self._exchange = exchange  # that brings the mesh, until it has
         self._mesh: Mesh | None = None
         self.revision: str = info.id
         self.parent: str = info.parent
-        self.design: str = info.design
-        self.number: int = info.number
+        self._in_several = in_several
+        self.design: str = "" if in_several else info.design
+        self.number: int = 0 if in_several else info.number
         self.report = report
         self.durable = durable
         self.head_conflict = head_conflict
@@ -100,6 +109,14 @@ class Revision:
                  and self._exchange.request.HasField("mesh"))
         return self._content if self._mesh is not None or comes else None
 
+    def _design_of(self, file: bool | None) -> str:
+        """What an edit names: the base is an id, which may be in other designs too."""
+        return "" if file is False else self.design
+
+    def _filed(self, file: bool | None) -> bool | None:
+        """Whether an edit is filed; what is made of a revision in no design is in none."""
+        return False if file is None and not (self.design or self._in_several) else file
+
     def __repr__(self) -> str:
         name = f"{self.design}@{self.number} " if self.design else ""
         return (f"<{type(self).__name__} {name}{self.revision[:12]}: {self.report.nodes} nodes, "
@@ -111,8 +128,9 @@ class Part(Revision):
 
     def __init__(self, daemon: Daemon, info: revision_pb2.RevisionInfo, report: report_pb2.Report,
                  exchange: Exchange | None = None, durable: bool = False,
-                 head_conflict: bool = False, route: str | None = None) -> None:
-        super().__init__(info, report, exchange, durable, head_conflict)
+                 head_conflict: bool = False, route: str | None = None,
+                 in_several: bool = False) -> None:
+        super().__init__(info, report, exchange, durable, head_conflict, in_several)
         self._daemon = daemon
         self._route: str = route or info.design or info.root
 
@@ -125,15 +143,15 @@ class Part(Revision):
         file), or a list of such. parameters: of the model, by name; one with the name of an
         argument, or with a dot, stands in a mapping. options: as rc.Options; left out, those of
         this part hold. mesh: has the mesh come along, as a difference to this one's. file: False:
-        in no design; the design's head stays. progress: called with each Progress (stage,
+        in no design; the design's head stays. Left out: in this part's design, or in none as it is. progress: called with each Progress (stage,
         iteration, fraction) while this waits. timeout: s.
 
         Raises RemeshError; OSError, ValueError and TypeError for what cannot be sent.
         KeyboardInterrupt cancels the computation.
         """
         return self._daemon._make(edit_of(
-            self.revision, edits, parameters, options or {}, file, mesh, self._base(), progress,
-            self._route), timeout)
+            self.revision, edits, parameters, options or {}, self._filed(file), mesh, self._base(),
+            progress, self._route, self._design_of(file)), timeout)
 
     def mesh(self) -> Mesh:
         """Its mesh; the same object each time. Raises RemeshError."""

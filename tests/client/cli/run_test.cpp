@@ -186,6 +186,7 @@ TEST_F(Cli, EditOfAModelFileMeshesItFirstAndInheritsItsOptions) {
   ASSERT_THAT(service_.requests, SizeIs(2));
   EXPECT_EQ(service_.requests[0].create().options().nodes(), 900U);
   EXPECT_EQ(service_.requests[1].edit().base(), "rev-1");
+  EXPECT_EQ(service_.requests[1].edit().design(), "simple-a") << "the base may be in others too";
   EXPECT_EQ(service_.requests[1].edit().options().ByteSizeLong(), 0U);
   EXPECT_EQ(read_json("r.json")["revision"], "rev-2");
   EXPECT_EQ(read_json("r.json")["nodes_kept"], 1200);

@@ -51,6 +51,23 @@ TEST(Resend, WhereTheLastResultDidNotBecomeTheHeadAnEditOfTheHeadIsOfTheHead) {
   EXPECT_EQ(on_last(streamed_edit_of("plate"), last).edit().base(), "fedcba9876543210");
 }
 
+TEST(Resend, AnEditOfTheLastResultByItsIdIsInThatsDesign) {
+  const auto last = result_of("0123456789abcdef", "plate");
+  EXPECT_EQ(in_design_of_last(streamed_edit_of("0123456789abcdef"), last).edit().design(), "plate");
+  EXPECT_EQ(in_design_of_last(streamed_edit_of("0123456789abcdef", "mine"), last).edit().design(),
+            "mine");
+  EXPECT_EQ(in_design_of_last(streamed_edit_of("fedcba9876543210"), last).edit().design(), "");
+}
+
+TEST(Resend, AnEditThatIsToBeInNoDesignStaysInNone) {
+  const auto last = result_of("0123456789abcdef", "plate");
+  auto edit = streamed_edit_of("0123456789abcdef");
+  edit.mutable_edit()->mutable_head()->set_file(false);
+  EXPECT_EQ(in_design_of_last(edit, last).edit().design(), "");
+  edit.mutable_edit()->clear_base();
+  EXPECT_EQ(on_last(edit, last).edit().design(), "");
+}
+
 TEST(Resend, AnEditOfAHeadThatTheStreamKnowsNothingOfIsNotSentAgain) {
   const auto last = result_of("0123456789abcdef", "plate");
   EXPECT_EQ(how_to_resend(streamed_edit_of("other"), &last), Resend::Impossible);
@@ -115,6 +132,16 @@ TEST(EditStream, BehindABreakAnEditWithoutABaseIsOfTheLastResultUnlessItNamesADe
     EXPECT_EQ(daemon.service.requests.back().edit().base(), design.empty() ? "d" : "");
     EXPECT_EQ(daemon.service.requests.back().edit().design(), design);
   }
+}
+
+TEST(EditStream, BehindABreakAnEditOfTheLastResultByItsIdNamesItsDesign) {
+  FakeDaemon daemon;
+  daemon.service.stream_break = 1;
+  EditStream stream = Client::connect(daemon.address).stream();
+  EXPECT_EQ(stream.edit(edit_request("a@1")).get().revision().design(), "d");
+  EXPECT_THROW(stream.edit(edit_request("other")).get(), CallError);  // breaks the stream
+  stream.edit(edit_request("rev-1")).get();
+  EXPECT_EQ(daemon.service.requests.back().edit().design(), "d");
 }
 
 TEST(EditStream, ARequestThatWasCancelledBeforeABreakIsNotSentAgain) {

@@ -12,6 +12,7 @@
 #include "tests/server/session/only_session.h"
 #include "tests/server/session/store_folder.h"
 #include "tests/support/cases.h"
+#include "tests/support/expect_error.h"
 
 namespace remeshd::test {
 namespace {
@@ -94,6 +95,22 @@ TEST_F(RemakingARevision, LeavesWhatIsInNoDesignInNone) {
   EXPECT_EQ(again.error().reason, "");
   EXPECT_EQ(again.value().filed.place.design, "");
   EXPECT_TRUE(session_->designs({}, {}).empty());
+}
+
+TEST_F(RemakingARevision, OfSeveralDesignsHasToBeToldWhich) {
+  const std::string id = mesh("plate", {}).filed.record.id;
+  mesh("plank", {});
+  remesh::v1::RemakeRevisionRequest request;
+  request.set_revision(id);
+  const ErrorInfo error = error_of([&] { remake(*session_, request, {}, {}); });
+  EXPECT_EQ(error.reason, "MISSING_FIELD");
+  EXPECT_EQ(error.parameter, "design");
+  request.set_design("plank");
+  Awaited<Made> again;
+  remake(
+      *session_, request,
+      [heard = again.on_value()](const Made& made, const auto&) { heard(made); }, again.on_error());
+  EXPECT_EQ(again.value().filed.place.design, "plank");
 }
 
 }  // namespace
