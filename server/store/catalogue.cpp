@@ -1,5 +1,6 @@
 #include "server/store/catalogue.h"
 
+#include <algorithm>
 #include <set>
 
 #include "engine/base/error.h"
@@ -314,11 +315,17 @@ KeptRecipe Catalogue::recipe(const std::string& id) {
   return row.step() ? read_recipe(row) : KeptRecipe{};
 }
 
-std::uint64_t Catalogue::count_kept() {
+std::uint64_t Catalogue::count_lines() {
   auto row = database_.prepare(
-      "SELECT max((SELECT count(*) FROM revisions), (SELECT count(*) FROM recipes))");
+      "SELECT (SELECT count(*) + count(nullif(head, '')) FROM designs),"
+      " (SELECT count(*) FROM places), (SELECT count(DISTINCT id) FROM places),"
+      " (SELECT count(*) FROM revisions), (SELECT count(*) FROM recipes)");
   row.step();
-  return static_cast<std::uint64_t>(row.number(0));
+  const std::int64_t designs = row.number(0), places = row.number(1), placed = row.number(2),
+                     revisions = row.number(3), recipes = row.number(4);
+  // Recipes without a revision are at least these, for a revision may have none.
+  const std::int64_t alone = std::max<std::int64_t>(recipes - revisions, 0);
+  return static_cast<std::uint64_t>(1 + designs + places + (revisions - placed) + alone);
 }
 
 std::vector<std::pair<std::string, std::string>> Catalogue::recipes() {

@@ -59,9 +59,9 @@ class Catalogue {
   /// Has the catalogue keep these recipes by their line in the journal, all or none of them. Throws
   /// Error(`INDEX_FAILED`).
   void set_recipe_places(const std::vector<RecipePlace>& places);
-  /// At least half the number of ids with a record or a recipe, at most all: an exact count takes
+  /// At least half the number of transactions of `snapshot`, at most all: an exact count takes
   /// longer.
-  std::uint64_t count_kept();
+  std::uint64_t count_lines();
   /// Ids that have a recipe, each with its parent's id.
   std::vector<std::pair<std::string, std::string>> recipes();
   /// Records of all revisions, by id.

@@ -14,7 +14,7 @@ namespace {
 
 // A journal is rewritten when most of its lines tell of what is no more.
 constexpr std::uint64_t kFewLines = 1000;
-constexpr std::uint64_t kMostLinesPerKept = 4;  // per revision or recipe
+constexpr std::uint64_t kMostLinesPerKept = 4;  // per line that a rewrite keeps, by half the count
 // Bytes that are written to see whether the disk takes some: what a large edit needs.
 constexpr std::size_t kTrial = std::size_t{1} << 20;
 
@@ -250,9 +250,11 @@ void Store::apply(const Transaction& transaction) {
 }
 
 void Store::enter(Transaction& transaction) {
-  if (journal_->lines() > many_lines_)  // to count takes long
-    many_lines_ = kFewLines + kMostLinesPerKept *
-                                  read([](Catalogue& catalogue) { return catalogue.count_kept(); });
+  if (journal_->lines() > many_lines_) {  // to count takes long
+    const std::uint64_t kept =
+        leftovers_.size() + read([](Catalogue& catalogue) { return catalogue.count_lines(); });
+    many_lines_ = kFewLines + kMostLinesPerKept * kept;
+  }
   if (journal_behind_ || journal_->uncertain() || journal_->lines() > many_lines_) {
     rewrite_journal(transaction);
     return;
