@@ -77,12 +77,16 @@ void ReplyFiles::check() const {
   check_text_file(report);
 }
 
-void deliver(Session& session, const remesh::v1::RevisionResult& reply, const ReplyFiles& files) {
-  show_warnings(session, reply.report().warnings());
+void note_head_conflict(Session& session, const remesh::v1::RevisionResult& reply,
+                        const std::string& why) {
   if (reply.head_conflict())
     session.console().note("the head of " + reply.revision().design() + " stays at " +
-                           std::to_string(reply.head_number()) +
-                           ": it is not the base of this edit any more");
+                           std::to_string(reply.head_number()) + ": " + why);
+}
+
+void deliver(Session& session, const remesh::v1::RevisionResult& reply, const ReplyFiles& files) {
+  show_warnings(session, reply.report().warnings());
+  note_head_conflict(session, reply, "it is not the base of this edit any more");
   session.write_mesh_of(reply.revision().id(), files.meshes);
   if (!files.report.empty()) session.write_text(files.report, write_json(reply.report()));
   if (files.report == kStandardStream) return;

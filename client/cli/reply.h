@@ -21,6 +21,10 @@ struct ReplyFiles {
   void check() const;  ///< throws UsageError, FileError
 };
 
+/// Tells the user, where a head was to move and did not, why.
+void note_head_conflict(Session& session, const remesh::v1::RevisionResult& reply,
+                        const std::string& why);
+
 /// Tells the user what came out of a mesh or an edit: warnings and a head that stayed go to the
 /// messages, mesh and Report to their files, and a short table to the data stream or, where a
 /// mesh went there, to the messages; none where the Report went there.

@@ -45,6 +45,20 @@ bool is_lost(const Error& failure) {
          reason == "STORE_CORRUPTED" || reason == "REVISION_NOT_FOUND";
 }
 
+/// What becomes of the head of a design whose head is `now`, where `remade` is made again. An
+/// ancestor made again is the base of the last edit, so that `expected` may not be left out.
+HeadRule head_rule(HeadRule rule, const std::string& now, const std::string& remade) {
+  if (!rule.expected.empty()) {
+    rule.advance = rule.advance.value_or(true);
+  } else if (rule.advance.value_or(false)) {
+    rule.expected = now;
+  } else {
+    rule.expected = remade;
+    rule.advance = !rule.advance && now == remade;
+  }
+  return rule;
+}
+
 /// Goes back from a recipe to the first one whose parent can be had, then carries the recipes out
 /// one after the other, each as an edit of the revision before.
 class Remaking final : public MakeRequest, public std::enable_shared_from_this<Remaking> {
@@ -115,7 +129,8 @@ class Remaking final : public MakeRequest, public std::enable_shared_from_this<R
     const std::size_t at = at_;
     const Recipe& recipe = recipes_.at(at);
     const bool last = at + 1 == recipes_.size();
-    const HeadRule head = last ? head_ : HeadRule{.advance = false, .file = head_.file};
+    const HeadRule head =
+        last ? head_ : HeadRule{.advance = false, .never = true, .file = head_.file};
     Listener listener{.progress = {},
                       .made = [self = shared_from_this()](const Made& made) { self->take(made); },
                       .failed = [self = shared_from_this()](const Error& why) { self->fail(why); }};
@@ -202,6 +217,7 @@ MakeRequestPtr remake(Session& session, const v1::RemakeRevisionRequest& request
     if (design.empty()) design = session.design_of(reference.id);
     if (design.empty()) head.file = false;
   }
+  if (!design.empty()) head = head_rule(std::move(head), session.head_of(design), reference.id);
   const auto remaking = std::make_shared<Remaking>(
       session, session.recipe(reference.id), std::move(head), std::move(design),
       std::max<int>(1, static_cast<int>(request.threads())), std::move(made), std::move(failed));

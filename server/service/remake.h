@@ -12,8 +12,9 @@ namespace remeshd {
 /// Makes a new revision from the recipe of the one that the request names, with the algorithm of
 /// today: as an edit of its parent where the mesh of that can be had, else of a new revision that
 /// is made for the parent in the same way. `made` hears of the revision and of the ids of the
-/// ancestors made for it, the furthest first. For the lane of preparations; does not wait: a parent
-/// whose mesh has gone is fetched, and the steps after that are taken, by other threads.
+/// ancestors made for it, the furthest first; none of these becomes a head. For the lane of
+/// preparations; does not wait: a parent whose mesh has gone is fetched, and the steps after that
+/// are taken, by other threads.
 ///
 /// Throws Error: what names no revision, or one without a recipe; MISSING_FIELD where nothing says
 /// which of several designs is meant.

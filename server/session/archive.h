@@ -84,6 +84,8 @@ class Archive {
   /// the one that the client worked on last. Throws Error: MISSING_FIELD where that is none of
   /// them; what `look_at_places` throws.
   std::string design_of(const std::string& id, const std::string& last = {});
+  /// Id of the head of a design; empty where there is none. Throws what `look_at_design` throws.
+  std::string head_of(const std::string& design);
   /// Takes a revision's mesh from the shared tier into the store and returns the revision; null
   /// where the tier has no valid copy. Throws Error(TIER_UNAVAILABLE) where the tier fails, or does
   /// not answer the look-up within `limits::kTierLookUp`; else what `find` throws.

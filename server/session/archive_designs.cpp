@@ -61,6 +61,12 @@ std::string Archive::design_of(const std::string& id, const std::string& last) {
   return last;
 }
 
+std::string Archive::head_of(const std::string& design) {
+  look_at_design(design);
+  const auto found = store_.read([&](Catalogue& catalogue) { return catalogue.design(design); });
+  return found ? found->head : "";
+}
+
 bool Archive::commit_designs(const SharedDesigns::Make& make, Store::OnFullDisk on_full_disk) {
   if (!designs_) {
     const std::scoped_lock lock(filing_);

@@ -42,10 +42,11 @@ struct OptionsPatch {
 struct HeadRule {
   /// Whether it becomes the head, if that still is `expected`. Left out: yes, but for two kinds of
   /// first mesh: one that the design has already, and one whose model is not that of the design's
-  /// first revision (warning HeadKept). A design without a head always gets one.
+  /// first revision (warning HeadKept). A design without a head gets one, but for `never`.
   std::optional<bool> advance;
   std::string expected;  ///< id that the head must have for it to move; empty: any
   bool require = false;  ///< where it has another one, the command fails and files nothing
+  bool never = false;    ///< it does not become the head of a design without one either
   /// Whether it is filed in a design. Left out: yes, but for an edit that names none and whose base
   /// is in none. What is in no design moves no head, and a rule that wants both is an error.
   std::optional<bool> file;

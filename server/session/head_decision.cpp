@@ -3,7 +3,7 @@
 namespace remeshd {
 
 HeadDecision decide_head(const HeadRule& rule, const HeadSituation& now) {
-  if (now.head.empty()) return {.move = true};
+  if (now.head.empty()) return {.move = !rule.never};
   if (now.head == now.id) return {};
   const bool expected = rule.expected.empty() || now.head == rule.expected;
   const bool unasked = !rule.advance && now.first_mesh;

@@ -160,6 +160,8 @@ class Session {
   }
   /// As Archive::design_of.
   std::string design_of(const std::string& id) { return archive_.design_of(id); }
+  /// As Archive::head_of.
+  std::string head_of(const std::string& design) { return archive_.head_of(design); }
   /// The archive, for what meshes take in memory and on disk, and which of them stay or go.
   Archive& cache() { return archive_; }
   /// Has a damaged mesh made again and stored. `done` is called with the fault, repaired or with

@@ -37,7 +37,8 @@ void add_remake(CLI::App& app, Action& action) {
   const auto arguments = std::make_shared<Arguments>();
   command->add_option("REV", arguments->revision, "Revision; its mesh may have gone")->required();
   command->add_option("--design", arguments->design, "Design that gets it [that of REV]");
-  command->add_flag("--head", arguments->head, "It becomes the head of the design");
+  command->add_flag("--head", arguments->head,
+                    "It becomes the head of the design; else only where REV is the head");
   command->callback([arguments, &action] {
     action = [arguments](Session& session) {
       remesh::v1::RemakeRevisionRequest request;
@@ -47,6 +48,7 @@ void add_remake(CLI::App& app, Action& action) {
       const auto reply = session.client().remake_revision(request, session.call());
       for (const std::string& id : reply.remade())
         session.console().note("made anew for it: " + id.substr(0, 12));
+      note_head_conflict(session, reply.result(), "another one became it meanwhile");
       const auto& revision = reply.result().revision();
       session.out() << short_name(revision) << "  " << revision.id() << '\n';
       return kFine;

@@ -85,6 +85,14 @@ TEST_F(Cli, RemakeMakesItsRevisionTheHeadWhereAsked) {
   EXPECT_FALSE(service_.remakes[1].has_head());
 }
 
+TEST_F(Cli, RemakeSaysThatTheHeadStayedWhereItWasMovedMeanwhile) {
+  ASSERT_EQ(run({"remake", "tool1-a@2", "--head"}), kFine) << err_.str();
+  EXPECT_EQ(err_.str().find("stays"), std::string::npos);
+  service_.head_conflict = true;
+  ASSERT_EQ(run({"remake", "tool1-a@2", "--head"}), kFine) << err_.str();
+  EXPECT_THAT(err_.str(), HasSubstr("the head of d stays at 9: another one became it meanwhile\n"));
+}
+
 TEST_F(Cli, RemovesAWholeDesign) {
   ASSERT_EQ(run({"rm", "--design", "tool1-a"}), kFine) << err_.str();
   ASSERT_THAT(service_.design_deletions, SizeIs(1));

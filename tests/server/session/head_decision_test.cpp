@@ -35,6 +35,7 @@ TEST(HeadDecision, WhatIsTheHeadAlreadyIsNoConflict) {
 TEST(HeadDecision, ADesignWithoutAHeadGetsOne) {
   EXPECT_EQ(edit({.expected = "base"}, ""), "moves");
   EXPECT_EQ(edit({.advance = false, .expected = "base"}, ""), "moves");
+  EXPECT_EQ(edit({.advance = false, .never = true}, ""), "stays");
 }
 
 TEST(HeadDecision, WithoutAdvanceOnlyARequiredHeadConflicts) {
