@@ -136,7 +136,6 @@ class Store {
   void rewrite_journal(const Transaction& last);
   void drop_added(const Transaction& transaction);
   void count_leftovers();
-  bool is_needed(const std::string& id);
   std::string packed_recipe_of(const std::string& id);
   bool enter_in_room_of(const Leftovers& removed, const Transaction& transaction);
   void tidy();

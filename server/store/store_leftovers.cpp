@@ -1,4 +1,5 @@
-#include <algorithm>
+#include <cstddef>
+#include <map>
 #include <set>
 #include <string_view>
 
@@ -18,15 +19,6 @@ void Store::discard(const std::string& id) {
   unfiled_.erase(unfiled);
   count_leftovers();
   // Deleted by the next commit: the disk may be in trouble now.
-}
-
-bool Store::is_needed(const std::string& id) {
-  return unfiled_.contains(id) ||
-         std::ranges::any_of(unfiled_, [&](const auto& put) { return put.second == id; }) ||
-         std::ranges::any_of(leftovers_, [&](const auto& l) { return l.second.base == id; }) ||
-         read([&](Catalogue& catalogue) {
-           return catalogue.is_stored(id) || catalogue.is_base(id);
-         });
 }
 
 namespace {
@@ -54,13 +46,25 @@ void Store::tidy() {
 }
 
 void Store::delete_packs(const std::function<bool(const std::string& id)>& which) {
+  std::map<std::string, std::size_t> standing;  // on each: packs that no revision names
+  for (const auto& [id, base] : unfiled_) ++standing[base];
+  for (const auto& [id, leftover] : leftovers_) ++standing[leftover.base];
+  const auto is_needed = [&](const std::string& id) {
+    const auto on = standing.find(id);
+    return (on != standing.end() && on->second > 0) || unfiled_.contains(id) ||
+           read([&](Catalogue& catalogue) {
+             return catalogue.is_stored(id) || catalogue.is_base(id);
+           });
+  };
   // Deleting a pack may set its base free, which the next round deletes.
   for (bool again = true; again;) {
     again = std::erase_if(leftovers_, [&](const auto& leftover) {
               const std::string& id = leftover.first;
               if (!which(id) || is_needed(id)) return false;
               ++deletions_;
-              return removed([&] { packs_->remove(id); });
+              if (!removed([&] { packs_->remove(id); })) return false;
+              --standing[leftover.second.base];
+              return true;
             }) > 0;
   }
   count_leftovers();
