@@ -72,6 +72,7 @@ v1::RevisionInfo encode(const RevisionRecord& record, const PlaceRecord& place) 
   out.set_model_name(record.model_name);
   out.set_nodes(record.nodes);
   out.set_tets(record.tets);
+  out.set_mid_nodes(record.mid_nodes);
   out.set_algorithm_version(record.algorithm_version);
   out.set_head(place.head);
   return out;

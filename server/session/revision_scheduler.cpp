@@ -173,6 +173,7 @@ HeldRevisionPtr RevisionScheduler::make_revision(const ComputationPtr& computati
   made->record.created_ns = nanoseconds_now();
   made->record.nodes = static_cast<std::uint32_t>(revision.output.mesh.nodes.size());
   made->record.tets = static_cast<std::uint32_t>(revision.output.mesh.tets.size());
+  made->record.mid_nodes = static_cast<std::uint32_t>(revision.output.mids.positions.size());
   return made;
 }
 

@@ -14,7 +14,8 @@ CREATE TABLE revisions(
   id TEXT PRIMARY KEY, parent TEXT NOT NULL, root TEXT NOT NULL, model_name TEXT NOT NULL,
   model TEXT NOT NULL, algorithm_version INTEGER NOT NULL, created_ns INTEGER NOT NULL,
   nodes INTEGER NOT NULL, tets INTEGER NOT NULL, bytes INTEGER NOT NULL,
-  base TEXT NOT NULL, seconds TEXT NOT NULL, pinned INTEGER NOT NULL) WITHOUT ROWID;
+  base TEXT NOT NULL, seconds TEXT NOT NULL, pinned INTEGER NOT NULL,
+  mid_nodes INTEGER NOT NULL) WITHOUT ROWID;
 CREATE INDEX revisions_by_parent ON revisions(parent, id);
 CREATE INDEX revisions_by_base ON revisions(base);
 CREATE TABLE recipes(
@@ -102,7 +103,8 @@ void Catalogue::apply_one(const Operation& operation) {
   if (const auto* add = std::get_if<AddRevision>(&operation)) {
     const RevisionRecord& r = add->record;
     database_
-        .prepare("INSERT OR REPLACE INTO revisions VALUES(?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)")
+        .prepare(
+            "INSERT OR REPLACE INTO revisions VALUES(?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)")
         .bind(r.id)
         .bind(r.parent)
         .bind(r.root)
@@ -116,6 +118,7 @@ void Catalogue::apply_one(const Operation& operation) {
         .bind(r.base)
         .bind(bytes_of(r.seconds))
         .bind(std::int64_t{r.pinned})
+        .bind(std::int64_t{r.mid_nodes})
         .run();
     if (!add->recipe.empty()) keep_recipe({r.id, r.parent, add->recipe});
   } else if (const auto* design = std::get_if<AddDesign>(&operation)) {

@@ -27,7 +27,7 @@ inline std::vector<double> numbers_in(const std::string& bytes) {
 /// The columns that `read_revision` takes, of a table called `r`.
 inline const std::string kRevisionColumns =
     "r.id, r.parent, r.root, r.model_name, r.model, r.algorithm_version, r.created_ns, r.nodes, "
-    "r.tets, r.bytes, r.base, r.seconds, r.pinned";
+    "r.tets, r.bytes, r.base, r.seconds, r.pinned, r.mid_nodes";
 
 inline RevisionRecord read_revision(const Sqlite::Statement& row, int first) {
   return {.id = row.text(first),
@@ -39,6 +39,7 @@ inline RevisionRecord read_revision(const Sqlite::Statement& row, int first) {
           .created_ns = row.number(first + 6),
           .nodes = static_cast<std::uint32_t>(row.number(first + 7)),
           .tets = static_cast<std::uint32_t>(row.number(first + 8)),
+          .mid_nodes = static_cast<std::uint32_t>(row.number(first + 13)),
           .bytes = static_cast<std::uint64_t>(row.number(first + 9)),
           .base = row.text(first + 10),
           .seconds = numbers_in(row.text(first + 11)),

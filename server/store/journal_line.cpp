@@ -30,6 +30,7 @@ struct ToJson {
            {"base", r.base},
            {"seconds", r.seconds},
            {"pinned", r.pinned}};
+    if (r.mid_nodes > 0) j["mid_nodes"] = r.mid_nodes;
     if (!op.recipe.empty()) j["recipe"] = base64(op.recipe.bytes);
     return j;
   }
@@ -69,6 +70,7 @@ Operation from_json(const json& j) {
     read_number(j, "created_ns", r.created_ns);
     read_number(j, "nodes", r.nodes);
     read_number(j, "tets", r.tets);
+    r.mid_nodes = number_or(j, "mid_nodes", 0U);
     read_number(j, "bytes", r.bytes);
     r.base = j.value("base", "");
     r.seconds = j.value("seconds", std::vector<double>());

@@ -57,31 +57,30 @@ std::string write_pack_head(const PackHead& head) {
                       {"page", a.piece_bytes},
                       {"encoding", static_cast<int>(a.encoding)},
                       {"data", a.data_bytes}});
-  return checked_line(json{
-             {"format", kFormat},
-             {"store", kStoreVersion},
-             {"id", r.id},
-             {"parent", r.parent},
-             {"root", r.root},
-             {"model_name", r.model_name},
-             {"model", r.model},
-             {"algorithm_version", r.algorithm_version},
-             {"base", r.base},
-             {"nodes", r.nodes},
-             {"tets", r.tets},
-             {"design", head.first.design},
-             {"number", head.first.number},
-             {"base_content", head.base_content},
-             {"chain", head.chain},
-             {"chain_bytes", head.chain_bytes},
-             {"full_bytes", head.full_bytes},
-             {"arrays", std::move(arrays)},
-             {"content", head.content},
-             {"recipe", head.recipe.size()},
-             {"recipe_hash", content_hash(head.recipe)},
-             {"data",
-              head.data}}.dump()) +
-         head.recipe;
+  json line{{"format", kFormat},
+            {"store", kStoreVersion},
+            {"id", r.id},
+            {"parent", r.parent},
+            {"root", r.root},
+            {"model_name", r.model_name},
+            {"model", r.model},
+            {"algorithm_version", r.algorithm_version},
+            {"base", r.base},
+            {"nodes", r.nodes},
+            {"tets", r.tets},
+            {"design", head.first.design},
+            {"number", head.first.number},
+            {"base_content", head.base_content},
+            {"chain", head.chain},
+            {"chain_bytes", head.chain_bytes},
+            {"full_bytes", head.full_bytes},
+            {"arrays", std::move(arrays)},
+            {"content", head.content},
+            {"recipe", head.recipe.size()},
+            {"recipe_hash", content_hash(head.recipe)},
+            {"data", head.data}};
+  if (r.mid_nodes > 0) line["mid_nodes"] = r.mid_nodes;
+  return checked_line(line.dump()) + head.recipe;
 }
 
 std::optional<PackHead> read_pack_head(std::string_view start) {
@@ -99,7 +98,8 @@ std::optional<PackHead> read_pack_head(std::string_view start) {
                    .model = j.value("model", ""),
                    .algorithm_version = number_or(j, "algorithm_version", 0U),
                    .nodes = whole_number<std::uint32_t>(j.at("nodes")),
-                   .tets = whole_number<std::uint32_t>(j.at("tets"))};
+                   .tets = whole_number<std::uint32_t>(j.at("tets")),
+                   .mid_nodes = number_or(j, "mid_nodes", 0U)};
     if (head.record.parent.empty()) head.record.root = head.record.id;
     head.first = {.design = j.at("design"),
                   .number = whole_number<std::uint32_t>(j.at("number")),

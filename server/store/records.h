@@ -19,7 +19,8 @@ struct RevisionRecord {
   std::uint32_t algorithm_version = 0;  ///< 0 where it is not known
   std::int64_t created_ns = 0;          ///< since 1970, UTC
   std::uint32_t nodes = 0, tets = 0;
-  std::uint64_t bytes = 0;  ///< of its file; 0 where its mesh is not stored
+  std::uint32_t mid_nodes = 0;  ///< 0 too where an older version stored it
+  std::uint64_t bytes = 0;      ///< of its file; 0 where its mesh is not stored
   /// Id of the revision whose bytes its own are differences to; empty where they stand alone.
   std::string base;
   std::vector<double> seconds;  ///< that its making took, as its report tells them

@@ -41,6 +41,34 @@ class Persistence : public DaemonTest {
   }
 };
 
+/// An engine whose meshes have three nodes on edges.
+class PersistenceOfSecondOrder : public Persistence {
+ protected:
+  [[nodiscard]] Engine make_engine() const override {
+    Engine engine = engine_.engine();
+    engine.make_revision = [make = engine.make_revision](const auto&... given) {
+      Revision made = make(given...);
+      MidNodes& mids = made.output.mids;
+      mids.positions.resize(3, Vec3{1, 2, 3});
+      mids.edges.resize(3);
+      mids.of_tets.resize(made.output.mesh.tets.size());
+      mids.ids.resize(3);
+      mids.origin.resize(3);
+      mids.original.resize(3, -1);
+      mids.transform.resize(3, -1);
+      return made;
+    };
+    return engine;
+  }
+};
+
+TEST_F(PersistenceOfSecondOrder, NodesOnEdgesAreCountedBeforeARestartAndAfter) {
+  EXPECT_EQ(create(plate()).revision().mid_nodes(), 3U);
+  EXPECT_EQ(list().revisions(0).mid_nodes(), 3U);
+  start();
+  EXPECT_EQ(list().revisions(0).mid_nodes(), 3U);
+}
+
 TEST_F(Persistence, RevisionsDesignsAndMeshesAreThereAfterARestartToTheByte) {
   create(plate());
   const auto child = edit("plate", set("at", 11));

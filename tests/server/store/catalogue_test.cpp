@@ -14,6 +14,7 @@ RevisionRecord record(const std::string& id) {
           .created_ns = 5,
           .nodes = 7,
           .tets = 8,
+          .mid_nodes = 9,
           .bytes = 9};
 }
 

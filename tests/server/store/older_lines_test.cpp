@@ -24,6 +24,7 @@ TEST(OlderLines, OfTheJournalAreRead) {
   EXPECT_EQ(first.root, "aa") << "a first mesh is its own root";
   EXPECT_EQ(first.model, "");
   EXPECT_EQ(first.algorithm_version, 0U);
+  EXPECT_EQ(first.mid_nodes, 0U);
   EXPECT_EQ(std::get<AddRevision>(line->transaction.at(1)).record.root, "");
   const auto& design = std::get<AddDesign>(line->transaction.at(2));
   EXPECT_EQ(design.changed_ns, 0);
@@ -39,6 +40,7 @@ TEST(OlderLines, OfPacksAreRead) {
   EXPECT_EQ(read->record.nodes, 7U);
   EXPECT_EQ(read->record.root, "aa");
   EXPECT_EQ(read->record.algorithm_version, 0U);
+  EXPECT_EQ(read->record.mid_nodes, 0U);
   EXPECT_EQ(read->record.created_ns, 5);
   EXPECT_EQ(read->data, "ff");
 }
@@ -53,6 +55,7 @@ TEST(OlderLines, OfTodayTellEverything) {
                         .created_ns = 5,
                         .nodes = 7,
                         .tets = 8,
+                        .mid_nodes = 9,
                         .base = "aa",
                         .seconds = {0.1, 2}};
   const auto line = read_journal_line(write_journal_line(

@@ -47,6 +47,7 @@ class StoreFolderTest : public testing::Test {
             .created_ns = 5 + n,
             .nodes = 7,
             .tets = 8,
+            .mid_nodes = 9,
             .bytes = 0};
   }
   static std::string bytes_of(int n) {
