@@ -143,8 +143,9 @@ class Part(Revision):
         file), or a list of such. parameters: of the model, by name; one with the name of an
         argument, or with a dot, stands in a mapping. options: as rc.Options; left out, those of
         this part hold. mesh: has the mesh come along, as a difference to this one's. file: False:
-        in no design; the design's head stays. Left out: in this part's design, or in none as it is. progress: called with each Progress (stage,
-        iteration, fraction) while this waits. timeout: s.
+        in no design; the design's head stays. Left out: in this part's design, or in none as it
+        is. progress: called with each Progress (stage, iteration, fraction) while this waits.
+        timeout: s.
 
         Raises RemeshError; OSError, ValueError and TypeError for what cannot be sent.
         KeyboardInterrupt cancels the computation.
