@@ -53,9 +53,7 @@ inline std::vector<SentArray> arrays_of(const Mesh& mesh) {
   }
   std::vector<std::vector<std::string>> sources;
   for (const std::string& feature : mesh.transform_features) sources.push_back({feature});
-  constexpr auto kF64 = v1::ARRAY_TYPE_F64;
-  constexpr auto kI32 = v1::ARRAY_TYPE_I32;
-  constexpr auto kU64 = v1::ARRAY_TYPE_U64;
+  constexpr auto kF64 = v1::ARRAY_TYPE_F64, kI32 = v1::ARRAY_TYPE_I32, kU64 = v1::ARRAY_TYPE_U64;
   std::vector<SentArray> arrays{
       raw(v1::MESH_ARRAY_NODES, kF64, 3, mesh.nodes),
       raw(v1::MESH_ARRAY_TETS, kI32, 4, mesh.tets),
