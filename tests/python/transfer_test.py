@@ -30,7 +30,7 @@ def test_linear_fields_come_over_exactly_within_both(pair):
     scale = np.abs(linear(old.all_points)).max()
     error = np.abs(operator @ linear(old.all_points) - linear(new.all_points)) / scale
     inside = ~TetLocator(old.points, old.tets).locate(new.all_points).outside
-    assert inside.mean() > .95
+    assert inside.mean() > .9  # mid-nodes on round walls lie outside of straight tets
     assert error[inside].max() < 1e-11
     assert np.abs(operator.sum(axis=1) - 1).max() < 1e-12
 
