@@ -237,9 +237,9 @@ Budgeted sizes_for_budget(std::uint32_t nodes, const SizeRules& rules, const Mes
   if (SizeField sizes = rules.field(guess, 1); sizes.even()) return {.sizes = std::move(sizes)};
   const Start first = starts.of({guess, 1});
   // Where sizes of the model ask for as short edges as the rules do, weaker rules save no node.
-  const bool is_worth = saved_share(first, rules.field(coarsest, 1),
-                                    rules.field(coarsest, weakest)) >= kBudgetLimits.worth;
-  CoarsenessSearch search(nodes, guess, is_worth ? weakest : 1);
+  const bool saves_nodes = saved_share(first, rules.field(coarsest, 1),
+                                       rules.field(coarsest, weakest)) >= kBudgetLimits.worth;
+  CoarsenessSearch search(nodes, guess, saves_nodes ? weakest : 1);
   if (search.goes_on(first))
     while (search.goes_on(starts.of(search.now()))) {
     }

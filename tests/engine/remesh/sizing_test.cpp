@@ -195,7 +195,7 @@ TEST(Sizing, RulesAreNotWeakenedForSizesThatNeedTheNodes) {
 }
 
 TEST(Sizing, RulesAreNotWeakenedWhereTheModelsSizesAskForAsMuch) {
-  // The hole's circles ask for 12 edges, its wall for 20 of them: weaker rules save no node.
+  // The hole's circles ask for 12 edges, its wall for 25: weaker rules save no node.
   ModelSource source = plate();
   source.features.pop_back();
   source.sizes = {{"wall", "hole.wall", 0.5}};
