@@ -90,7 +90,8 @@ class CleanUp {
       });
       if (!changed) break;
     }
-    if (bad_tets().size() <= most_residual()) optimise_residual_tets();
+    if (options_.always_optimise_worst || bad_tets().size() <= most_residual())
+      optimise_residual_tets();
     ImproveResult result;
     for (const std::int32_t t : bad_tets()) {
       ++result.below_threshold;
@@ -205,8 +206,7 @@ class CleanUp {
     return kBudgets.residual.of(dirty_) + static_cast<std::size_t>(mesh_.slots()) / 1000;
   }
 
-  /// Works on the bad tets that are left. Pre: they are few; where many are left the goals are out
-  /// of reach.
+  /// Works on the worst of the bad tets that are left, however many.
   void optimise_residual_tets() {
     InVain in_vain;
     const auto optimise = [&](std::int32_t t) { return aggressive_.optimise_neighbourhood(t); };

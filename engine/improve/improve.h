@@ -31,6 +31,10 @@ struct ImproveOptions {
   /// once a repair has touched it, is repaired in its turn, and so on: where a thin wall has many
   /// such tets clean-up wanders through all of the patch.
   bool confined = false;
+  /// Whether the worst of the tets that are left are optimised with their neighbourhoods, however
+  /// many are left. Else they are only where few are left: in an even mesh the threshold is out of
+  /// reach where many are.
+  bool always_optimise_worst = false;
 };
 
 struct ImproveResult {

@@ -254,7 +254,8 @@ ReusedMesh cleaned_up(Candidate& c, const MeshingTask& task, const MeshPatch& pa
   ImproveResult improved = improve(reused.mesh, c.nodes.supports, task.cells.boundary, reused.dirty,
                                    {.threshold = options.threshold,
                                     .locked = c.nodes.interface_nodes,
-                                    .confined = !options.sizing.even},
+                                    .confined = !options.sizing.even,
+                                    .always_optimise_worst = !options.sizing.even},
                                    task.run);
   c.bad_at_interface = improved.bad_at_interface;
   return {

@@ -221,6 +221,16 @@ TEST(Improve, NeverMakesTheWorstTetWorse) {
   }
 }
 
+TEST(Improve, OptimisesTheWorstHoweverManyAreLeftWhereItIsToldTo) {
+  // By this threshold most tets are bad, far more than operations are tried on.
+  const SolidFixture s = make_box({4, 1, 1}, 14, 3);
+  const auto worst = [&](const ImproveOptions& options) {
+    const TetMesh mesh = clean(s, options).mesh;
+    return measure_quality(mesh.nodes, mesh.tets, {}).volume_length_min;
+  };
+  EXPECT_GT(worst({.threshold = 0.8, .always_optimise_worst = true}), worst({.threshold = 0.8}));
+}
+
 TEST(Improve, CountsWhatStaysBelowTheThreshold) {
   const SolidFixture s = make_box({1, 1, 1}, 6, 5);
   ImproveOptions options;
