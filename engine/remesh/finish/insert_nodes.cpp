@@ -72,6 +72,26 @@ std::vector<std::size_t> longest_links(const std::vector<NodeOnEdge>& chain, int
   return links;
 }
 
+/// By model edge: 1 where it is a single link between two vertices that a shorter model edge joins
+/// by a single link too, as both sides of a lens-shaped face do. They would be one mesh edge.
+std::vector<std::uint8_t> doubled_links(const BoundaryModel& boundary,
+                                        const std::vector<std::vector<NodeOnEdge>>& chain) {
+  std::vector<int> single;
+  for (int e = 0; e < static_cast<int>(chain.size()); ++e)
+    if (chain[e].size() == 2 && !boundary.edges[e].closed()) single.push_back(e);
+  const auto ends = [&](int e) {
+    return std::minmax(boundary.edges[e].start, boundary.edges[e].end);
+  };
+  std::ranges::stable_sort(single, [&](int a, int b) {
+    return ends(a) != ends(b) ? ends(a) < ends(b)
+                              : boundary.edges[a].length < boundary.edges[b].length;
+  });
+  std::vector<std::uint8_t> doubled(chain.size(), 0);
+  for (std::size_t k = 1; k < single.size(); ++k)
+    if (ends(single[k - 1]) == ends(single[k])) doubled[single[k]] = 1;
+  return doubled;
+}
+
 /// `insert_in_segments` with a mesh that follows the nodes.
 int insert_until_present(NodeSet& nodes, LiveMesh& live, const BoundaryModel& boundary,
                          const SegmentOptions& options) {
@@ -82,6 +102,7 @@ int insert_until_present(NodeSet& nodes, LiveMesh& live, const BoundaryModel& bo
     const std::vector<Link> links = links_between_edge_nodes(nodes, live.mesh());
     const std::vector<std::vector<NodeOnEdge>> chain =
         edge_chains(boundary, nodes.supports, nodes.positions);
+    const std::vector<std::uint8_t> doubled = doubled_links(boundary, chain);
     const int before = inserted;
     std::optional<CrowdedLinks> crowded;
     for (int e = 0; e < static_cast<int>(chain.size()); ++e) {
@@ -107,6 +128,10 @@ int insert_until_present(NodeSet& nodes, LiveMesh& live, const BoundaryModel& bo
       const auto longest = longest_links(chain[e], elsewhere ? 0 : fewest(options, e));
       for (const std::size_t k : longest) insert(0.5 * (chain[e][k - 1].at + chain[e][k].at));
       if (!longest.empty()) continue;
+      if (doubled[e] != 0 && !elsewhere) {
+        insert(0.5 * (chain[e][0].at + chain[e][1].at));
+        continue;
+      }
       for (std::size_t k = 1; k < chain[e].size(); ++k) {
         const NodeOnEdge &a = chain[e][k - 1], &b = chain[e][k];
         if (at_rim(a) && at_rim(b)) continue;
@@ -216,6 +241,25 @@ class RoomForNodes {
   std::vector<double> sample_to_node2_;  ///< by sample: squared, to the nearest node; -1: not known
 };
 
+/// Gives a model vertex on which no node stands the nearest one, where that is no vertex's own and
+/// nearer than a new node may be, else a new one. Returns whether it had none.
+bool give_node(NodeSet& nodes, const NearestNode& grid, int vertex, const BoundaryModel& boundary,
+               const SizeField& sizes) {
+  const Support on{Support::Kind::Vertex, vertex};
+  if (std::ranges::find(nodes.supports, on) != nodes.supports.end()) return false;
+  const Vec3& place = boundary.vertices[vertex].position;
+  const std::int32_t nearest = grid.nearest(place);
+  if (nearest >= nodes.interface_nodes && nodes.supports[nearest].kind != on.kind &&
+      distance(nodes.positions[nearest], place) < kRoomLimits.closest * sizes(place)) {
+    nodes.positions[nearest] = place;
+    nodes.supports[nearest] = on;
+    nodes.state[nearest] = NodeState::Free;
+  } else {
+    nodes.add_new(place, on);
+  }
+  return true;
+}
+
 }  // namespace
 
 int insert_in_segments(NodeSet& nodes, DelaunayMesh& mesh, std::int32_t in_mesh,
@@ -233,6 +277,12 @@ int insert_where_missing(NodeSet& nodes, std::span<const MeshDefect> defects,
                          const BoundaryModel& boundary, const Samples& samples,
                          const SizeField& sizes, bool make_room) {
   if (nodes.positions.empty()) return 0;  // an empty patch
+  int changed = 0;
+  const NearestNode grid(nodes.positions, kGridCell * sizes.grid_length());
+  for (const MeshDefect& defect : defects)
+    if (defect.kind == MeshFailure::MissingVertex &&
+        give_node(nodes, grid, defect.entity, boundary, sizes))
+      ++changed;
   RoomForNodes room(nodes, boundary, samples, sizes);
   std::vector<MeshDefect> crowded;
   for (const MeshDefect& defect : defects)
@@ -240,7 +290,6 @@ int insert_where_missing(NodeSet& nodes, std::span<const MeshDefect> defects,
       crowded.push_back(defect);
     else
       room.take_place_for(defect);
-  int changed = 0;
   if (!crowded.empty()) {
     CrowdedLinks links(nodes, boundary, sizes);
     for (const MeshDefect& defect : crowded)

@@ -50,6 +50,37 @@ TEST_F(Circles, GetAThirdNodeWhereTheyHaveTwo) {
   EXPECT_GE(nodes_on(1), 3);
 }
 
+TEST(LensShapedFace, GetsANodeBesideTheVerticesThatItsTwoEdgesShare) {
+  // A pin overhangs a plate by .3: both the arc and the plate's rim go from vertex to vertex.
+  const BoundaryModel boundary =
+      build_cells(evaluate(test::model_of({test::block("plate", 40, 40, 5),
+                                           test::placed(test::cylinder("pin", 5, 6), 15.3, 0, 5)})),
+                  kRun)
+          .boundary;
+  const auto ends = [&](int e) {
+    return std::minmax(boundary.edges[e].start, boundary.edges[e].end);
+  };
+  const auto shares_ends = [&](int e) {
+    for (int f = 0; f < std::ssize(boundary.edges); ++f)
+      if (e != f && ends(e) == ends(f)) return true;
+    return false;
+  };
+  std::vector<int> sides;  // the pin's rim above the plate goes from vertex to vertex too
+  for (int e = 0; e < std::ssize(boundary.edges); ++e)
+    if (!boundary.edges[e].closed() && boundary.edges[e].length < 5 && shares_ends(e))
+      sides.push_back(e);
+  ASSERT_EQ(sides.size(), 2U);
+  NodeSet nodes;
+  for (int v = 0; v < std::ssize(boundary.vertices); ++v)
+    nodes.add_new(boundary.vertices[v].position, {Support::Kind::Vertex, v});
+  DelaunayMesh mesh(boundary.bounds);
+  insert_in_segments(nodes, mesh, 0, boundary, {.sizes = 20}, kRun);
+  const auto nodes_on = [&](int e) {
+    return std::ranges::count(nodes.supports, Support{Support::Kind::Edge, e});
+  };
+  EXPECT_GE(nodes_on(sides[0]) + nodes_on(sides[1]), 1);
+}
+
 constexpr double kEdgeLength = 5;
 
 /// A straight model edge of simple-a with nodes at two places of it, and a chain broken there.
@@ -102,6 +133,38 @@ TEST_F(BrokenLink, IsLeftAloneWhereNothingIsMissing) {
 TEST_F(BrokenLink, IsLeftAloneWhereThePartHasNoNodes) {
   nodes_.resize(0);
   EXPECT_EQ(insert(), 0);
+}
+
+/// The same with a model vertex that no node stands on.
+class MissingVertex : public BrokenLink {
+ protected:
+  MissingVertex() { verification_.failures = {{MeshFailure::MissingVertex, 0, vertex_, "gone"}}; }
+
+  const Vec3 vertex_ = cells_.boundary.vertices[0].position;
+  const Support on_{Support::Kind::Vertex, 0};
+};
+
+TEST_F(MissingVertex, GetsANode) {
+  const std::int32_t before = nodes_.size();
+  EXPECT_GE(insert(), 1);
+  ASSERT_GT(nodes_.size(), before);
+  EXPECT_EQ(nodes_.supports[before], on_);
+  EXPECT_EQ(nodes_.positions[before], vertex_);
+}
+
+TEST_F(MissingVertex, GetsTheNodeThatIsTooNearForAnother) {
+  const std::int32_t near = nodes_.size();
+  nodes_.add_new(vertex_ + Vec3{0.1 * kEdgeLength, 0, 0}, {Support::Kind::Edge, edge_});
+  EXPECT_GE(insert(), 1);
+  EXPECT_EQ(nodes_.supports[near], on_);
+  EXPECT_EQ(nodes_.positions[near], vertex_);
+  EXPECT_EQ(std::ranges::count(nodes_.supports, on_), 1);
+}
+
+TEST_F(MissingVertex, GetsNoSecondNode) {
+  nodes_.add_new(vertex_, on_);
+  insert();
+  EXPECT_EQ(std::ranges::count(nodes_.supports, on_), 1);
 }
 
 }  // namespace
