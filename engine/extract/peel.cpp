@@ -106,9 +106,14 @@ class Peeling {
  public:
   using Known = KnownClassification::Known;
 
-  Peeling(const NodeSet& nodes, const DelaunayMesh& delaunay, const FacesOf& faces,
-          const KnownClassification& known, const PeelOptions& options)
-      : nodes_(nodes), delaunay_(delaunay), faces_(faces), known_(known), options_(options) {}
+  Peeling(const NodeSet& nodes, const DelaunayMesh& delaunay, const BoundaryModel& boundary,
+          const FacesOf& faces, const KnownClassification& known, const PeelOptions& options)
+      : nodes_(nodes),
+        delaunay_(delaunay),
+        boundary_(boundary),
+        faces_(faces),
+        known_(known),
+        options_(options) {}
 
   /// `in_model`: by slot.
   PeeledMesh peel(const std::vector<std::uint8_t>& in_model) {
@@ -161,8 +166,30 @@ class Peeling {
   /// now, and outside from the start.
   [[nodiscard]] bool is_exposed(std::size_t k) const {
     const auto shown = std::count(neighbours_[k].begin(), neighbours_[k].end(), -1);
-    const Known known = known_of(mesh_.slots[k]);
-    return (shown == 2 && known == Known::No) || (shown >= 2 && known == Known::WasOutside);
+    switch (known_of(mesh_.slots[k])) {
+      case Known::No:
+        return shown == 2 || (shown == 3 && shows_its_back(k));
+      case Known::WasOutside:
+        return shown >= 2;
+      default:
+        return false;
+    }
+  }
+  /// Whether an exposed facet looks away from the face that the tet lies on, as where the face ends
+  /// at a step that the tet reaches over: there is nothing before the tet nor behind it.
+  [[nodiscard]] bool shows_its_back(std::size_t k) const {
+    const Tet& t = mesh_.tets[k];
+    const int face = face_of(nodes_, faces_, t);
+    if (face < 0) return false;
+    for (int i = 0; i < 4; ++i) {
+      if (neighbours_[k][i] != -1) continue;
+      const auto& p = nodes_.positions;
+      const auto& f = kTetFacets[i];
+      const Vec3 &a = p[t[f[0]]], &b = p[t[f[1]]], &c = p[t[f[2]]];
+      const Vec3 outward = outward_normal(boundary_.faces[face], (a + b + c) / 3.0);
+      if (dot(cross(b - a, c - a), outward) < 0) return true;
+    }
+    return false;
   }
   [[nodiscard]] bool is_flat(const Tet& t) const {
     return face_of(nodes_, faces_, t) >= 0 && volume_length(nodes_.positions, t) < options_.flat;
@@ -205,6 +232,7 @@ class Peeling {
 
   const NodeSet& nodes_;
   const DelaunayMesh& delaunay_;
+  const BoundaryModel& boundary_;
   const FacesOf& faces_;
   const KnownClassification& known_;
   const PeelOptions& options_;
@@ -222,7 +250,7 @@ PeeledMesh peel(const NodeSet& nodes, const DelaunayMesh& delaunay, const Bounda
                 const PeelOptions& options, const Run& run) {
   const FacesOf faces(boundary);
   const TetsAcrossRims rims(nodes, boundary);
-  Peeling peeling(nodes, delaunay, faces, known, options);
+  Peeling peeling(nodes, delaunay, boundary, faces, known, options);
   std::vector<std::uint8_t> in_model(delaunay.slots(), 0);
   in_blocks(delaunay.slots(), kFairBlock, run, [&](std::size_t begin, std::size_t end) {
     run.poll();

@@ -50,7 +50,8 @@ struct PeeledMesh {
 /// are inside; of the others, those whose centroid lies in the model (Sect. 3.4; `options` may ask
 /// for more tests). Tets whose four nodes lie on one face are flat against it. On a plane they are
 /// outside. On a curved face a tet of low quality is peeled once exactly two of its facets are
-/// exposed; a tet known as WasOutside once two or more are.
+/// exposed, or three if one of them looks away from the face; a tet known as WasOutside once two or
+/// more are.
 ///
 /// The rim of a group: on a plane, faces that only a rim separates count as one face; on a curved
 /// surface, shallow tets with nodes on both sides of a rim are outside.

@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <numeric>
 
+#include "engine/boundary/edge_chains.h"
 #include "engine/cellular/boundary_model/face_distance.h"
 #include "engine/cellular/cellular_model.h"
 #include "engine/model/solid.h"
@@ -135,6 +137,51 @@ PeeledMesh peeled_torus(const PeelOptions& options) {
 TEST(Peel, AFlatTetOnACurvedFaceGoesWhereItIsOfLowQuality) {
   EXPECT_EQ(peeled_torus({.flat = 0.3}).tets.size(), 2U);
   EXPECT_EQ(peeled_torus({.flat = 0}).tets.size(), 3U);
+}
+
+/// The model edge or vertex nearest to a point.
+Support nearest_edge(const BoundaryModel& boundary, const Vec3& p) {
+  const auto found = std::ranges::min_element(boundary.edges, {}, [&](const BoundaryEdge& e) {
+    return nearest_on_polyline(e.points, p).distance2;
+  });
+  return {Support::Kind::Edge, static_cast<int>(found - boundary.edges.begin())};
+}
+Support nearest_vertex(const BoundaryModel& boundary, const Vec3& p) {
+  const auto found = std::ranges::min_element(
+      boundary.vertices, {}, [&](const BoundaryVertex& v) { return distance(v.position, p); });
+  return {Support::Kind::Vertex, static_cast<int>(found - boundary.vertices.begin())};
+}
+
+TEST(Peel, AFlatTetGoesThatReachesOverAStepAtTheEndOfItsFace) {
+  // A pocket in the rim of a disc leaves a step: the disc's wall ends there on one side of a vertex
+  // at half its height. A flat tet against the wall reaches from below the step to above it. Its
+  // centroid is in the model, that of the tet behind its upper part is not.
+  const FeatureModel model = evaluate(test::model_of(
+      {test::cylinder("disc", 60, 10),
+       test::placed(test::block("pocket", 40, 20, 10), 60, 10, 5, Nature::Subtractive),
+       test::placed(test::cylinder("hole", 1, 20), 56, 1, -5, Nature::Subtractive)}));
+  const CellularModel cells = build_cells(model, kRun);
+  const BoundaryModel& boundary = cells.boundary;
+  const Membership membership(model);
+  const auto on_wall = [](double degrees, double z) {
+    const double angle = degrees * std::numbers::pi / 180;
+    return Vec3{60 * std::cos(angle), 60 * std::sin(angle), z};
+  };
+  const Vec3 vertex = on_wall(0, 5), above = on_wall(0, 6.5), beside = on_wall(2, 5);
+  const Vec3 below = on_wall(1, 2.5), behind{57, 1, 4.9};
+  NodeSet nodes;
+  nodes.add_new(vertex, nearest_vertex(boundary, vertex));
+  for (const Vec3& p : {above, beside}) nodes.add_new(p, nearest_edge(boundary, p));
+  for (const Vec3& p : {below, behind})
+    nodes.add_new(p, {Support::Kind::Face, face_at(boundary, p)});
+  DelaunayMesh delaunay(boundary.bounds);
+  const std::vector<std::int32_t> all{0, 1, 2, 3, 4};
+  delaunay.insert(nodes.positions, all, kRun);
+  const PeeledMesh mesh = peel(
+      nodes, delaunay, boundary, [&](const Vec3& p) { return membership.inside(p); },
+      KnownClassification::nothing(delaunay), {}, kRun);
+  ASSERT_EQ(mesh.tets.size(), 1U);
+  EXPECT_EQ(std::ranges::count(mesh.tets[0], 1), 0);  // that below the step
 }
 
 TEST(Peel, AnEdgeAlongWhereTwoFeaturesTouchStaysInTheModel) {
