@@ -47,7 +47,7 @@ void add_global_options(CLI::App& app, Line& line) {
       ->check(CLI::Range(0.0, 1e6))
       ->type_name("S");
   auto* verbose = app.add_flag("-v,--verbose", line.verbose, "Say more, and progress in pipes too");
-  app.add_flag("-q,--quiet", line.quiet, "Say nothing but errors")->excludes(verbose);
+  app.add_flag("-q,--quiet", line.quiet, "Neither warnings nor progress")->excludes(verbose);
 }
 
 /// The innermost command that was given.

@@ -93,10 +93,15 @@ std::string check_warning(const std::string& name) {
   return name + " is no warning" + suggestion(name, known) + "; there are " + list;
 }
 
+/// What an option is where it is not given, as the help tells it.
+std::string told(MeshingOptions::Unset unset, const std::string& otherwise) {
+  return " [" + (unset == MeshingOptions::Unset::OfBase ? "the base's" : otherwise) + "]";
+}
+
 }  // namespace
 
-void MeshingOptions::add_to(CLI::App& command) {
-  add_mesh_to(command);
+void MeshingOptions::add_to(CLI::App& command, Unset unset) {
+  add_mesh_to(command, unset);
   command.add_option("--threads", threads, "Threads; never change the result [1]")
       ->check(CLI::Range(1U, 1024U))
       ->type_name("N");
@@ -107,8 +112,8 @@ void MeshingOptions::add_to(CLI::App& command) {
   command.add_flag("--keep-head", keep_head, "Do not move the head of the design");
 }
 
-void MeshingOptions::add_mesh_to(CLI::App& command) {
-  auto* count = command.add_option("--nodes", nodes, "Nodes to aim at [15000]")
+void MeshingOptions::add_mesh_to(CLI::App& command, Unset unset) {
+  auto* count = command.add_option("--nodes", nodes, "Nodes to aim at" + told(unset, "15000"))
                     ->check(CLI::Range(20U, 5'000'000U))
                     ->type_name("N");
   command.add_option("--size", size, "Edge length to aim at, in the model's unit")
@@ -117,38 +122,42 @@ void MeshingOptions::add_mesh_to(CLI::App& command) {
       ->excludes(count);
   command
       .add_option("--iterations", iterations,
-                  "Iterations, or `auto`: until quality stops improving [auto]")
+                  "Iterations, or `auto`: until quality stops improving" + told(unset, "auto"))
       ->check(CLI::Validator(check_iterations, "", ""))
       ->type_name("K|auto");
-  command.add_option("--seed", seed, "Seed of all random choices [1]")
+  command.add_option("--seed", seed, "Seed of all random choices" + told(unset, "1"))
       ->check(CLI::Validator(check_digits, "", ""))
       ->type_name("S");
   only(*command.add_option(
            "--inside", inside,
            "What tells inside from outside: the features' formulas, or a control mesh on the "
-           "tessellated boundary [membership]"),
+           "tessellated boundary" +
+               told(unset, "membership")),
        {kMembership, kControlMesh});
-  only(*command.add_option("--start", start,
-                           "Where new nodes start: on a lattice, or at random [lattice]"),
+  only(*command.add_option(
+           "--start", start,
+           "Where new nodes start: on a lattice, or at random" + told(unset, "lattice")),
        {kLattice, kRandom});
   command
       .add_option("--threshold", threshold,
-                  "Clean up tets of a volume-length measure below this [0.52]")
+                  "Clean up tets of a volume-length measure below this" + told(unset, "0.52"))
       ->check(CLI::Range(0.0, 0.8))
       ->type_name("Q");
   command
       .add_option("--order", order,
-                  "Order of the tets: 2 has nodes on their edges too, on the true geometry [1]")
+                  "Order of the tets: 2 has nodes on their edges too, on the true geometry" +
+                      told(unset, "1"))
       ->check(CLI::Range(1U, 2U))
       ->type_name("1|2");
   command
       .add_option("--hold", hold,
                   "Keep the connectivity while no surface is further than this from where it was "
-                  "when that was made, x edge length [0: a hundredth]")
+                  "when that was made, x edge length" +
+                      told(unset, "0: a hundredth"))
       ->check(CLI::Range(0.0, 10.0))
       ->type_name("H");
   command.add_flag("--no-clean-up", no_clean_up, "Leave slivers in");
-  add_sizing_to(command);
+  add_sizing_to(command, unset);
   command
       .add_option("--fail-on", fail_on,
                   "Warnings that are errors, e.g. GROUP_EMPTIED,FALLBACK; exit code 4")
@@ -160,26 +169,31 @@ void MeshingOptions::add_mesh_to(CLI::App& command) {
                    "What is lost is an error: " + names_of_losses() + "; exit code 4");
 }
 
-void MeshingOptions::add_sizing_to(CLI::App& command) {
+void MeshingOptions::add_sizing_to(CLI::App& command, Unset unset) {
   auto* one_length = command.add_flag(
       "--even", even, "One edge length everywhere: no rule, and no size of the model, holds");
   command
       .add_option("--edges-per-circle", edges_per_circle,
-                  "Edges on a whole circle of any radius; 0: no such rule [12]")
+                  "Edges on a whole circle of any radius; 0: no such rule" + told(unset, "12"))
       ->check(CLI::Validator(check_edges_per_circle, "", ""))
       ->type_name("N")
       ->excludes(one_length);
-  command.add_option("--layers", layers, "Edges across walls and gaps; 0: no such rule [1]")
+  command
+      .add_option("--layers", layers,
+                  "Edges across walls and gaps; 0: no such rule" + told(unset, "1"))
       ->check(CLI::Range(0U, 16U))
       ->type_name("N")
       ->excludes(one_length);
   command
       .add_option("--min-size", min_size,
-                  "Edge length below which no rule goes [a tenth of the edge length aimed at]")
+                  "Edge length below which no rule goes" +
+                      told(unset, "a tenth of the edge length aimed at"))
       ->check(CLI::Validator(check_size, "", ""))
       ->type_name("L")
       ->excludes(one_length);
-  command.add_option("--growth", growth, "Growth of edge lengths from one tet to the next [1.3]")
+  command
+      .add_option("--growth", growth,
+                  "Growth of edge lengths from one tet to the next" + told(unset, "1.3"))
       ->check(CLI::Validator(check_growth, "", ""))
       ->type_name("G")
       ->excludes(one_length);

@@ -35,9 +35,12 @@ struct MeshingOptions {
   std::vector<std::string> fail_on;  ///< names of warnings
   bool strict = false;               ///< warnings of losses are errors too
 
-  void add_to(CLI::App& command);
+  /// What options are that are not given: defaults of the daemon, or those of an edit's base.
+  enum class Unset : std::uint8_t { Default, OfBase };
+
+  void add_to(CLI::App& command, Unset unset = Unset::Default);
   /// Those alone that say what the mesh is like, and which warnings are errors.
-  void add_mesh_to(CLI::App& command);
+  void add_mesh_to(CLI::App& command, Unset unset = Unset::Default);
   [[nodiscard]] remesh::v1::MeshOptions to_message() const;
   /// The warnings of `fail_on` and `strict`, as values of the message's field `fail_on`.
   [[nodiscard]] google::protobuf::RepeatedField<int> warning_codes() const;
@@ -54,7 +57,7 @@ struct MeshingOptions {
   }
 
  private:
-  void add_sizing_to(CLI::App& command);
+  void add_sizing_to(CLI::App& command, Unset unset);
 };
 
 }  // namespace remeshd::cli

@@ -3,6 +3,8 @@
 #include <array>
 #include <charconv>
 
+#include "engine/base/run.h"
+
 namespace remeshd::error {
 namespace {
 
@@ -337,6 +339,9 @@ Error options_invalid(std::string_view option, std::string_view why) {
 
 Error mesh_too_large(std::string_view what, double nodes, std::uint32_t limit,
                      std::string_view option, std::string_view feature, std::string_view hint) {
+  // The greatest limit that a daemon takes is the default.
+  const char* larger =
+      limit < kDefaultMaxNodes ? ", or start remeshd with a larger --max-nodes" : "";
   return Error({.kind = ErrorKind::InvalidArgument,
                 .reason = "MESH_TOO_LARGE",
                 .message = std::string(what) + " " + whole_number(nodes) +
@@ -344,7 +349,7 @@ Error mesh_too_large(std::string_view what, double nodes, std::uint32_t limit,
                 .stage = "request",
                 .features = listed({std::string(feature)}),
                 .parameter = std::string(option),
-                .hint = std::string(hint)});
+                .hint = std::string(hint) + larger});
 }
 
 Error boundary_not_recovered(std::string_view what, const std::optional<Vec3>& place,

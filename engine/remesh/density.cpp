@@ -40,23 +40,22 @@ constexpr double kInPlace = 0.25;  // x base size: what moves by less is copied 
 Warning weakened(const Budgeted& budgeted, const Sizing& sizing) {
   const auto edges = static_cast<int>(sizing.edges_per_circle / budgeted.weakening);
   return {.code = WarningCode::DetailNotResolved,
-          .message =
-              "the nodes asked for do not do for the details of the model, whose circles "
-              "get " +
-              std::to_string(edges) + " edges; " +
-              std::to_string(std::lround(budgeted.satisfying)) + " nodes would do",
+          .message = "the nodes asked for are too few for the rules of sizes, which give circles " +
+                     std::to_string(edges) + " edges now; " +
+                     std::to_string(std::lround(budgeted.satisfying)) + " nodes would do",
           .nodes_needed = static_cast<std::uint32_t>(std::lround(budgeted.satisfying))};
 }
 
 /// The warning that the rules of the base, which were weakened for its number of nodes, hold on.
 Warning still_weakened(double weakening, const Sizing& sizing) {
   const auto edges = static_cast<int>(sizing.edges_per_circle / weakening);
-  return {.code = WarningCode::DetailNotResolved,
-          .message =
-              "the nodes that the first mesh was given do not do for the details of the "
-              "model, whose circles get " +
-              std::to_string(edges) +
-              " edges: mesh it anew with more nodes, or give the edit rules of its own"};
+  return {
+      .code = WarningCode::DetailNotResolved,
+      .message =
+          "the nodes of the first mesh are too few for the rules of sizes, which give circles " +
+          std::to_string(edges) +
+          " edges: mesh the model anew with more (an edit with rules of its own gets them in "
+          "full)"};
 }
 
 /// The warning that a mesh is finer than an edit asks for.

@@ -11,14 +11,9 @@
 namespace remeshd {
 namespace {
 
-constexpr const char* kHint =
-    "give a larger size or fewer nodes, or start remeshd with a larger --max-nodes";
-constexpr const char* kHintForEdit =
-    "mesh the edited model anew with a larger size or fewer nodes, or start remeshd with a larger "
-    "--max-nodes";
-
-constexpr const char* kHintForSizes =
-    "ask for longer edges or for a larger least one, or start remeshd with a larger --max-nodes";
+constexpr const char* kHint = "give a larger size or fewer nodes";
+constexpr const char* kHintForEdit = "mesh the edited model anew with a larger size or fewer nodes";
+constexpr const char* kHintForSizes = "ask for longer edges or for a larger least one";
 constexpr double kOverstart = 1.05;  // x nodes asked for: a mesh may begin with so many
 
 /// Whether a number of nodes is above the limit by more than rounding.

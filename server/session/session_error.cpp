@@ -91,7 +91,8 @@ Error head_protected(std::string_view design, std::uint32_t number) {
                 .message = "revision " + std::to_string(number) + " is the head of the design " +
                            name(design),
                 .stage = "request",
-                .hint = "allow it to delete a head, or make another revision the head first"});
+                .hint = "allow it to delete a head (`remesh rm --allow-head`), or make another "
+                        "revision the head first"});
 }
 
 Error head_conflict(std::string_view design, std::string_view expected, std::string_view head) {
@@ -119,7 +120,8 @@ Error warning_is_error(const Warning& warning) {
                 .message = std::string(name_of(warning.code)) + ": " + warning.message,
                 .stage = "request",
                 .features = warning.features,
-                .hint = "leave the code out of fail_on to get the revision all the same",
+                .hint = "leave the code out of fail_on (`--fail-on`, `--strict`) to get the "
+                        "revision all the same",
                 .place = warning.point,
                 .warning = warning});
 }

@@ -95,7 +95,7 @@ void add_edit_command(CLI::App& app, Action& action) {
       ->expected(1)
       ->take_all();
   arguments->files.add_to(*command);
-  arguments->meshing.add_to(*command);
+  arguments->meshing.add_to(*command, MeshingOptions::Unset::OfBase);
   command
       ->add_flag("--require-head", arguments->require_head,
                  "File nothing unless BASE is the head of its design; exit code 6 where it is not")

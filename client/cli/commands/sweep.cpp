@@ -299,7 +299,7 @@ void add_sweep_command(CLI::App& app, Action& action) {
        file_formats());
   command->add_flag("--from-base", arguments->from_base,
                     "Let every step edit BASE, not the last step that went well");
-  arguments->meshing.add_to(*command);
+  arguments->meshing.add_to(*command, MeshingOptions::Unset::OfBase);
   command->footer(
       "Prints a line for each step, tabs between the columns. A step that fails is told in its "
       "line and the sweep goes on; the exit code is then 4. No head is moved, and where the daemon "

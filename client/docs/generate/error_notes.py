@@ -30,9 +30,11 @@ NOTES = {
     "GROUP_EMPTIED": "Mend the selector in the same edit (`setGroup`), or take the group away.",
     "FACE_LOST": "Loads on that face act on nothing: look whether the edit was meant so.",
     "FEATURE_WITHOUT_EFFECT": "Look at its place and at its place in history: a later feature may cover it.",
-    "NODES_FAR_FROM_TARGET": "Ask for more nodes, or for `--even` ones; for longer edges than the base's mesh the model "
-                             "anew.",
-    "QUALITY_LOW": "See `remesh quality`; more nodes help where a detail is too small for its edges.",
+    "NODES_FAR_FROM_TARGET": "For a first mesh ask for more nodes, or for `--even` ones. In an edit `--nodes` and `--size` "
+                             "make only what it adds finer: for all of it, mesh the model anew.",
+    "DETAIL_NOT_RESOLVED": "Mesh the model anew with more nodes, or give a smaller `--min-size`. An edit with rules of its "
+                           "own gets them in full, and most of its mesh anew.",
+    "QUALITY_LOW": "By more than 2 %, sharp places of the model left out. See `remesh quality`; more nodes help where a detail is too small for its edges.",
     "FALLBACK": "`remesh explain` tells what was tried.",
     "RENEWED": "Nothing is wrong: transfer fields anew.",
     "NODES_INSERTED": "The mesh is a little finer there than asked for.",

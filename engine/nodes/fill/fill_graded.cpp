@@ -49,10 +49,9 @@ void leave_once(std::vector<Place>& places) {
 }
 
 Error too_large(const Run& run) {
-  return error::mesh_too_large(
-      "the edge lengths asked for need over", kGradedFilling.most * run.max_nodes, run.max_nodes,
-      {}, {},
-      "ask for longer edges or for a larger least one, or start remeshd with a larger --max-nodes");
+  return error::mesh_too_large("the edge lengths asked for need over",
+                               kGradedFilling.most * run.max_nodes, run.max_nodes, {}, {},
+                               "ask for longer edges or for a larger least one");
 }
 
 /// Octrees over the cubes of a lattice, divided where the field is finer.

@@ -434,6 +434,7 @@ TEST_F(Cli, HelpIsDataAndTellsTheExitCodes) {
   EXPECT_EQ(run({"--help"}), kFine);
   EXPECT_THAT(out_.str(), HasSubstr("130 interrupted"));
   EXPECT_EQ(run({"sweep", "--help"}), kFine);
+  EXPECT_THAT(out_.str(), HasSubstr("Nodes to aim at [the base's]"));
   EXPECT_EQ(err_.str(), "");
 }
 
