@@ -4,7 +4,8 @@
 # Has the daemon in CONTAINER mesh the model and apply the edits, each to the mesh of the one before,
 # with the command line of the same image in a container of its own. ARTEFACTS gets a mesh (.vtu) and
 # a report (.json) per step, named after the documents, and revisions.txt. The exit code is that of
-# the step that failed (README.md, "The command line"), so that 6 (busy) can be tried again.
+# the step that failed (client/README.md, "The command line"), so that 6 (busy) can be tried
+# again.
 #
 # CONTAINER_TOOL: podman (default; as root, for users are not mapped) or docker.
 # REMESH_OPTIONS: more options for every step, as "--nodes 20000 --fail-on FALLBACK".

@@ -1,5 +1,5 @@
-// Random models and edits through the engine, each mesh verified by code of its own; README.md of
-// the tests says how to use it.
+// Random models and edits through the engine, each mesh verified by code of its own; README.md
+// beside this file says how to use it.
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <atomic>

@@ -28,7 +28,7 @@ struct Outcome {
   double away_angle = 0;   ///< least dihedral angle away from the model's sharp places, degrees
   double last_resort = 0;  ///< share of the tets that a last resort made
   double newly_last_resort = 0;  ///< of them those that it made in this step
-  LostNodes lost;                ///< of an edit of a detailed part
+  LostNodes lost;                ///< of an edit
 
   [[nodiscard]] bool valid() const { return kind == "valid"; }
   /// Of what failed: kind and reason.

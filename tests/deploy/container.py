@@ -9,7 +9,7 @@ SETTINGS = Path(__file__).with_name("containers.conf")
 CASES = Path(__file__).resolve().parents[1] / "cases"
 USER = 65532
 
-# What deploy/README.md tells to give: nothing but the volume can be written to.
+# What deploy/CI-FARM.md tells to give: nothing but the volume can be written to.
 LOCKED = ["--read-only", "--cap-drop", "all", "--security-opt", "no-new-privileges",
           "--network", "none"]
 
@@ -83,7 +83,7 @@ class Container:
 
 
 def start(name, image, volume, out):
-    """A container without rights, as deploy/README.md tells to start it, with a volume for the
+    """A container without rights, as deploy/CI-FARM.md tells to start it, with a volume for the
     store, the test cases at /cases and a folder of this machine at /out."""
     podman("run", "--detach", "--name", name, *LOCKED, "--volume", f"{volume}:/var/lib/remeshd",
            "--volume", f"{CASES}:/cases:ro", "--volume", f"{out}:/out", image)

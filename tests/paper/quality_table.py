@@ -7,8 +7,8 @@
 puts the table into README.md between its two marks and draws pictures/fig18-quality.png. Angles and
 measures are quality.py's, which shares nothing with the engine. Exit 0 if every goal holds, 1 if one
 does not. All of it takes about an hour and a half of one core; with `--record FILE` several runs, of
-some cases each, share the work, and one of all cases then finds it done. Meshing is as the CLI does by
-default: lattice start, iterations until quality stops improving.
+some cases each, share the work, and one of all cases then finds it done. Meshing is with --even, else
+as the CLI does by default: lattice start, iterations until quality stops improving.
 """
 import argparse
 import hashlib
