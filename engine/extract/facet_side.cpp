@@ -13,6 +13,7 @@ namespace {
 struct FacetLimits {
   double turn = 0.85;     ///< cosine between the normals of a facet and of its face, at least
   double off_face = 0.1;  ///< x longest edge: how far its projected middle is off the face, at most
+  double rounding = 1e-9;  ///< x an edge: a point nearer to a surface lies on it
 };
 constexpr FacetLimits kFacetLimits;
 
@@ -28,6 +29,12 @@ struct Chord {
   [[nodiscard]] Vec3 normal() const {
     const Vec3 n = normalised(cross(b - a, c - a));
     return dot(n, outward_normal(face, on_surface())) < 0 ? -n : n;
+  }
+  /// How far a point lies off the surface, negative on the side of the material; 0 within rounding.
+  [[nodiscard]] double beyond_face(const Vec3& p) const {
+    const Vec3 on = project(face.surface, p);
+    const double off = dot(p - on, outward_normal(face, on));
+    return std::fabs(off) < kFacetLimits.rounding * norm(b - a) ? 0 : off;
   }
   /// Whether it may be a facet of the boundary: its normal is near the face's, so that it does not
   /// cut across a concave face, and its middle is on the face, not in a hole of it.
@@ -61,6 +68,7 @@ BoundarySide side_by_facets(const NodeSet& nodes, const BoundaryModel& boundary,
     const double height = dot(nodes.positions[tet[i]] - chord.middle(), chord.normal());
     const double of_centroid = 0.25 * std::fabs(height);
     if (of_centroid > chord.height() || !chord.follows_face()) continue;
+    if (height * chord.beyond_face(nodes.positions[tet[i]]) < 0) continue;
     const BoundarySide here = height < 0 ? BoundarySide::Inside : BoundarySide::Outside;
     if (side != BoundarySide::Unknown && side != here) return BoundarySide::Unknown;
     side = here;

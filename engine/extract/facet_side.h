@@ -15,7 +15,9 @@ enum class BoundarySide : std::uint8_t { Unknown, Inside, Outside };
 /// faces, where the tet is so thin over one that its centroid does not tell: a facet is a chord of
 /// the face, outside of the model on a concave face and inside on a convex one, and the centroid
 /// of a thin tet may lie between the two. Beside a ledge narrower than the chords' sagitta all tets
-/// are like that. Unknown where the tet is thin over no facet, or two facets disagree.
+/// are like that. Unknown where the tet is thin over no facet, or two facets disagree; a facet does
+/// not count where the fourth node is between it and its face, as on a pin that stands out of a
+/// hole's wall by less than the sagitta: it cannot be the boundary there.
 BoundarySide side_by_facets(const NodeSet& nodes, const BoundaryModel& boundary,
                             const FacesOf& faces, const Tet& tet);
 

@@ -85,6 +85,17 @@ TEST(FacetSide, IsNotToldByAFacetAcrossAHoleInTheFace) {
             BoundarySide::Unknown);
 }
 
+TEST(FacetSide, IsNotToldByAFacetWithSomethingBetweenItAndItsFace) {
+  // A pin stands out of the hole's wall by .03, its end between the wall and a chord of it.
+  const FeatureModel model = evaluate(test::model_of(
+      {test::block("plate", 30, 30, 4),
+       test::placed(test::cylinder("hole", kRadius, 10), 0, 0, -5, Nature::Subtractive),
+       test::placed(test::block("pin", 2, 0.6, 0.6), kRadius + 0.97, 0, 1.7)}));
+  EXPECT_EQ(
+      side_of(model, {on_wall(-0.2, 3), on_wall(0.2, 3), on_wall(0, 1), {kRadius - 0.03, 0, 1.9}}),
+      BoundarySide::Unknown);
+}
+
 TEST(FacetSide, IsNotToldByAFacetOnAPlaneThoughTheTetIsFlatAgainstIt) {
   EXPECT_EQ(side_of(plate_with_a_boss(),
                     {Vec3{15, 1, 2}, Vec3{15, -1, 2}, Vec3{15, 0, 3}, Vec3{15, 3, 4}}),
