@@ -90,8 +90,7 @@ class CleanUp {
       });
       if (!changed) break;
     }
-    if (options_.always_optimise_worst || bad_tets().size() <= most_residual())
-      optimise_residual_tets();
+    if (bad_tets().size() <= options_.most_left * most_residual()) optimise_residual_tets();
     ImproveResult result;
     for (const std::int32_t t : bad_tets()) {
       ++result.below_threshold;
@@ -206,7 +205,8 @@ class CleanUp {
     return kBudgets.residual.of(dirty_) + static_cast<std::size_t>(mesh_.slots()) / 1000;
   }
 
-  /// Works on the worst of the bad tets that are left, however many.
+  /// Works on the worst of the bad tets that are left. Pre: they are few; where many are left the
+  /// goals are out of reach, and each neighbourhood is full of bad tets.
   void optimise_residual_tets() {
     InVain in_vain;
     const auto optimise = [&](std::int32_t t) { return aggressive_.optimise_neighbourhood(t); };

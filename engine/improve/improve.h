@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <numbers>
 #include <span>
@@ -31,10 +32,9 @@ struct ImproveOptions {
   /// once a repair has touched it, is repaired in its turn, and so on: where a thin wall has many
   /// such tets clean-up wanders through all of the patch.
   bool confined = false;
-  /// Whether the worst of the tets that are left are optimised with their neighbourhoods, however
-  /// many are left. Else they are only where few are left: in an even mesh the threshold is out of
-  /// reach where many are.
-  bool always_optimise_worst = false;
+  /// How many tets may be left for the worst to be optimised with their neighbourhoods, x the
+  /// number that operations are tried on: where more are, the threshold is out of reach.
+  std::size_t most_left = 1;
 };
 
 struct ImproveResult {

@@ -109,10 +109,7 @@ Refilled with_refilled(const Candidate& c, const ReusedMesh& mesh, RefilledMesh 
   const auto improve_some = [&](const std::vector<std::uint8_t>& dirty) {
     ImproveResult improved = improve(
         made.mesh, next.nodes.supports, task.cells.boundary, dirty,
-        {.threshold = task.options.threshold,
-         .locked = next.nodes.interface_nodes,
-         .always_optimise_worst = !task.options.sizing.even},
-        task.run);
+        {.threshold = task.options.threshold, .locked = next.nodes.interface_nodes}, task.run);
     was = looked_up(was, improved.was);
     made = {std::move(improved.mesh), {}, {{}, looked_up(mesh.same.output, was)}};
     put_back(next, made, task, patch, kConfineLimits.all_failures);
