@@ -32,9 +32,10 @@ class Segments {
     }
     std::ranges::sort(sorted_);
   }
-  /// Whether no two segments have the same two corners.
+  /// Whether each segment has two corners, and no other has the same.
   [[nodiscard]] bool distinct() const {
-    return std::ranges::adjacent_find(sorted_, [](const auto& a, const auto& b) {
+    return std::ranges::none_of(sorted_, [](const auto& s) { return s[0] == s[1]; }) &&
+           std::ranges::adjacent_find(sorted_, [](const auto& a, const auto& b) {
              return a[0] == b[0] && a[1] == b[1];
            }) == sorted_.end();
   }

@@ -29,8 +29,9 @@ struct Border {
 /// `uses` times. Triangles turn counter-clockwise. Their indices: k below border.corners.size() is
 /// corner k of the border, larger ones are `inner`[k - border.corners.size()].
 ///
-/// Returns nothing where segments cross or touch each other away from their corners, two segments
-/// have the same corners, points coincide, or the segments do not close a region off.
+/// Returns nothing where segments cross or touch each other away from their corners, a segment ends
+/// where it begins, two segments have the same corners, points coincide, or the segments do not
+/// close a region off.
 std::optional<std::vector<std::array<int, 3>>> mesh_border(
     const Border& border, std::span<const std::array<double, 2>> inner);
 
