@@ -23,6 +23,9 @@ struct RoomLimits {
 };
 constexpr RoomLimits kRoomLimits;
 
+/// A closed edge needs as many nodes to be a chain at all.
+constexpr int kFewestOfClosed = 3;
+
 using Link = std::pair<std::int32_t, std::int32_t>;
 
 /// Where to split the link from a to b: in the middle, or on the shell nearest to it round the one
@@ -96,6 +99,9 @@ std::vector<std::uint8_t> doubled_links(const BoundaryModel& boundary,
 int insert_until_present(NodeSet& nodes, LiveMesh& live, const BoundaryModel& boundary,
                          const SegmentOptions& options) {
   const int most = 200 + static_cast<int>(options.most * nodes.size());
+  // A chain's first node counts twice. Even meshes are to stay as older versions made them, which
+  // put two more nodes at thirds beside two that were there, in one of their places at worst.
+  const std::size_t most_anew = options.make_room ? 2 : 3;
   int inserted = 0;
   for (int round = 0; round < options.rounds; ++round) {
     live.follow(nodes);
@@ -113,19 +119,19 @@ int insert_until_present(NodeSet& nodes, LiveMesh& live, const BoundaryModel& bo
         nodes.add_new(project(boundary, edge, point_at(edge, wrapped)), {Support::Kind::Edge, e});
         ++inserted;
       };
-      // A closed edge needs three nodes to be a chain at all.
-      const std::size_t nodes_on = chain[e].size() - (chain[e].empty() ? 0 : 1);
       // Between two interface nodes there may be others that are not in the patch.
       const auto at_rim = [&](const NodeOnEdge& on) { return on.node < nodes.interface_nodes; };
       const bool elsewhere =
           chain[e].empty() ? nodes.elsewhere > 0 && !std::ranges::binary_search(options.wanted, e)
                            : std::ranges::any_of(chain[e], at_rim);
-      if (edge.closed() && nodes_on < 3 && !elsewhere) {
+      if (edge.closed() && chain[e].size() <= most_anew && !elsewhere) {
         const double from = chain[e].empty() ? 0 : chain[e].front().at;
-        for (int k = chain[e].empty() ? 0 : 1; k < 3; ++k) insert(from + k * length / 3);
+        for (int k = chain[e].empty() ? 0 : 1; k < kFewestOfClosed; ++k)
+          insert(from + k * length / kFewestOfClosed);
         continue;
       }
-      const auto longest = longest_links(chain[e], elsewhere ? 0 : fewest(options, e));
+      const int least = std::max(fewest(options, e), edge.closed() ? kFewestOfClosed : 0);
+      const auto longest = longest_links(chain[e], elsewhere ? 0 : least);
       for (const std::size_t k : longest) insert(0.5 * (chain[e][k - 1].at + chain[e][k].at));
       if (!longest.empty()) continue;
       if (doubled[e] != 0 && !elsewhere) {

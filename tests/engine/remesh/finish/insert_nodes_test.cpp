@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <numbers>
 
 #include "engine/cellular/cellular_model.h"
 #include "tests/support/cases.h"
@@ -21,12 +23,12 @@ class Circles : public testing::Test {
   std::ptrdiff_t nodes_on(int edge) const {
     return std::ranges::count(nodes_.supports, Support{Support::Kind::Edge, edge});
   }
-  void recover() {
+  void recover(bool make_room = false) {
     Box bounds;
     bounds.add(boundary_.bounds.lo);
     bounds.add(boundary_.bounds.hi);
     DelaunayMesh mesh(bounds);
-    insert_in_segments(nodes_, mesh, 0, boundary_, {.sizes = 20}, kRun);
+    insert_in_segments(nodes_, mesh, 0, boundary_, {.sizes = 20, .make_room = make_room}, kRun);
   }
 
   const BoundaryModel boundary_ = test::make_cylinder(10, 8, 12, 1).boundary;
@@ -48,6 +50,19 @@ TEST_F(Circles, GetAThirdNodeWhereTheyHaveTwo) {
   recover();
   EXPECT_GE(nodes_on(0), 3);
   EXPECT_GE(nodes_on(1), 3);
+}
+
+TEST_F(Circles, GetTheirThirdNodeAwayFromTheTwoThatTheyHave) {
+  const double third = 2 * std::numbers::pi / 3;
+  for (const double z : {0.0, 8.0})
+    for (const double angle : {0.0, third})
+      nodes_.add_new({10 * std::cos(angle), 10 * std::sin(angle), z}, {Support::Kind::Edge, z > 4});
+  recover(true);
+  EXPECT_EQ(nodes_on(0), 3);
+  EXPECT_EQ(nodes_on(1), 3);
+  for (std::size_t i = 0; i < nodes_.positions.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      EXPECT_GT(distance(nodes_.positions[i], nodes_.positions[j]), 1);
 }
 
 TEST(LensShapedFace, GetsANodeBesideTheVerticesThatItsTwoEdgesShare) {
