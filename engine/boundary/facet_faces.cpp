@@ -157,6 +157,19 @@ bool FacetFaces::lies_across(int face, const std::array<Vec3, 3>& corners) const
   return has_origin(round_axis) || (surface.kind == Surface::Kind::Torus && has_origin(round_tube));
 }
 
+bool FacetFaces::lies_along(int face, const std::array<Vec3, 3>& corners) const {
+  const auto& [a, b, c] = corners;
+  return lies_along(face, corners,
+                    std::max({deviation(face, (a + b + c) / 3.0), deviation(face, 0.5 * (a + b)),
+                              deviation(face, 0.5 * (b + c)), deviation(face, 0.5 * (c + a))}));
+}
+
+bool FacetFaces::lies_along(int face, const std::array<Vec3, 3>& corners, double off) const {
+  const auto& [a, b, c] = corners;
+  const double longest2 = std::max({norm2(b - a), norm2(c - b), norm2(a - c)});
+  return off * off <= kChordShare * kChordShare * longest2 && !lies_across(face, corners);
+}
+
 Vec3 FacetFaces::outward(int face, const Vec3& p) const {
   return outward_normal(boundary_.faces[face], p);
 }

@@ -11,6 +11,11 @@
 
 namespace remeshd {
 
+/// How far a boundary facet may be from its face at its centroid and at the middles of its edges,
+/// as a share of its longest edge. The chord of a third of a circle has 0.29, as is fair where a
+/// coarse mesh meets a small hole; that of a half, across the hole, has 0.5.
+inline constexpr double kChordShare = 0.45;
+
 /// The model faces that a node with a given support lies on, looked up fast.
 class FacesOf {
  public:
@@ -52,6 +57,11 @@ class FacetFaces {
   /// through a facet with these corners: it closes off a hole, or cuts through a pin, instead of
   /// lying along its wall. False for planes and spheres.
   [[nodiscard]] bool lies_across(int face, const std::array<Vec3, 3>& corners) const;
+  /// Whether a facet with these corners is nowhere further from the face than a chord may be, and
+  /// does not lie across it.
+  [[nodiscard]] bool lies_along(int face, const std::array<Vec3, 3>& corners) const;
+  /// The same; `off`: how far it is at most, at its centroid and at the middles of its edges.
+  [[nodiscard]] bool lies_along(int face, const std::array<Vec3, 3>& corners, double off) const;
   /// Unit normal of the face out of the material.
   [[nodiscard]] Vec3 outward(int face, const Vec3& p) const;
   /// Signed distance of p from the face's surface, positive outside of the material.

@@ -66,6 +66,12 @@ bool BoundaryRules::upright(int face, const Vec3& a, const Vec3& b, const Vec3& 
   return along > 0 && along * along >= kUprightCosine * kUprightCosine * norm2(n);
 }
 
+bool BoundaryRules::stays_along(int face, const std::array<Vec3, 3>& now,
+                                const std::array<Vec3, 3>& then) const {
+  return boundary_.faces[face].surface.kind == Surface::Kind::Plane ||
+         faces_.lies_along(face, then) || !faces_.lies_along(face, now);
+}
+
 bool BoundaryRules::may_swap(std::int32_t a, std::int32_t b, const EdgeRing& ring) const {
   const std::int32_t first = ring.node[0];
   const std::int32_t last = ring.node[ring.nodes - 1];
@@ -86,6 +92,9 @@ bool BoundaryRules::may_swap(std::int32_t a, std::int32_t b, const EdgeRing& rin
   const Vec3& pf = mesh_.node(first);
   const Vec3& pl = mesh_.node(last);
   if (!upright(face, pa, pf, pl) || !upright(face, pb, pl, pf)) return false;
+  if (!stays_along(face, {pa, pf, pb}, {pa, pf, pl}) ||
+      !stays_along(face, {pa, pb, pl}, {pb, pl, pf}))
+    return false;
   const double before = faces_.deviation(face, 0.5 * (pa + pb));
   const double after = faces_.deviation(face, 0.5 * (pf + pl));
   return after <= before + chord_tolerance_ * distance(pf, pl);
@@ -137,7 +146,7 @@ bool BoundaryRules::may_move(std::int32_t node, const Vec3& position,
     const double after = faces_.deviation(face, (then[0] + then[1] + then[2]) / 3.0);
     const double length = std::sqrt(
         std::max({norm2(then[1] - then[0]), norm2(then[2] - then[1]), norm2(then[0] - then[2])}));
-    if (after > before + chord_tolerance_ * length) return false;
+    if (after > before + chord_tolerance_ * length || !stays_along(face, now, then)) return false;
   }
   return true;
 }

@@ -26,7 +26,8 @@ class BoundaryRules {
   }
 
   /// Whether the boundary edge a-b of an open ring may go, so that the surface has the edge between
-  /// the first and the last node of the ring in its place.
+  /// the first and the last node of the ring in its place. Facets that lie along their face do so
+  /// afterwards.
   [[nodiscard]] bool may_swap(std::int32_t a, std::int32_t b, const EdgeRing& ring) const;
 
   /// The boundary facets at a node, outward; a node of the interior has none.
@@ -35,7 +36,8 @@ class BoundaryRules {
   bool facets_at(std::int32_t node, std::vector<Triangle>& out) const;
 
   /// Whether, if the node goes to `position`, its facets stay upright on their faces and their
-  /// distances from them grow by at most the chord tolerance. `facets`: from `facets_at`.
+  /// distances from them grow by at most the chord tolerance, and none that lies along its face
+  /// leaves it (FacetFaces::lies_along). `facets`: from `facets_at`.
   [[nodiscard]] bool may_move(std::int32_t node, const Vec3& position,
                               std::span<const Triangle> facets) const;
 
@@ -45,6 +47,9 @@ class BoundaryRules {
  private:
   [[nodiscard]] int face_of(const Triangle& facet) const;
   [[nodiscard]] bool upright(int face, const Vec3& a, const Vec3& b, const Vec3& c) const;
+  /// Whether a facet lies along its face where the one that it replaces does.
+  [[nodiscard]] bool stays_along(int face, const std::array<Vec3, 3>& now,
+                                 const std::array<Vec3, 3>& then) const;
   [[nodiscard]] bool on_model_edge(std::int32_t a, std::int32_t b) const;
 
   const BoundaryModel& boundary_;

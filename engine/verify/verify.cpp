@@ -298,8 +298,7 @@ class Checker {
       result_.chord_error = std::max(result_.chord_error, off);
       const double radius = radius_of_curvature(boundary_.faces[face].surface, centre);
       const double longest2 = std::max({norm2(b - a), norm2(c - b), norm2(a - c)});
-      if (!(off * off <= kChordShare * kChordShare * longest2) ||
-          faces_.lies_across(face, {a, b, c}))
+      if (!faces_.lies_along(face, {a, b, c}, off))
         fail(MeshFailure::FacetOffFace, facet.tet, centre,
              "a boundary facet " + std::to_string(off) + " off its face");
       slack[face] += facet_area * std::min(1.0, 0.25 * longest2 / (radius * radius));

@@ -33,10 +33,6 @@ enum class MeshFailure : std::uint8_t {
   OutsideTet,          ///< a tet in no cell: away from the material
 };
 inline constexpr std::size_t kMeshFailures = 14;
-/// How far a boundary facet may be from its face at its centroid and at the middles of its edges,
-/// as a share of its longest edge. The chord of a third of a circle has 0.29, as is fair where a
-/// coarse mesh meets a small hole; that of a half, across the hole, has 0.5.
-inline constexpr double kChordShare = 0.45;
 
 struct MeshDefect {
   MeshFailure kind{};
