@@ -97,6 +97,12 @@ class DelaunayMesh {
     const auto& v = slots_[slot].v;
     return {v[0] - kSuper, v[1] - kSuper, v[2] - kSuper, v[3] - kSuper};
   }
+  /// Slots of the tets opposite a tet's corners, which may be at super vertices; negative where
+  /// there is none.
+  [[nodiscard]] Corners across(std::int32_t slot) const {
+    const auto& n = slots_[slot].n;
+    return {n[0].tet(), n[1].tet(), n[2].tet(), n[3].tet()};
+  }
   /// Which of PagedDelaunay::Cut::exterior lies across the facet opposite a corner; -1 unless the
   /// facet is on the boundary of a patch.
   [[nodiscard]] std::int32_t exterior(std::int32_t slot, int corner) const {
@@ -112,15 +118,14 @@ class DelaunayMesh {
   void for_each_tet(F&& f) const {
     for_each_tet_with_neighbours([&](auto, const Corners& tet, const Corners&) { f(tet); });
   }
-  /// The same as f(slot, corners, across): `across[i]` is the slot of the tet opposite corner i,
-  /// which may be at a super vertex; negative where there is none. Slots are below `slots()`.
+  /// The same as f(slot, corners, across), by `across(slot)`. Slots are below `slots()`.
   template <class F>
   void for_each_tet_with_neighbours(F&& f) const {
     for (std::size_t k = 0; k < slots_.size(); ++k) {
       const Slot& s = slots_[k];
       if (s.v[0] >= kSuper && s.v[1] >= kSuper && s.v[2] >= kSuper && s.v[3] >= kSuper)
         f(static_cast<std::int32_t>(k), corners(static_cast<std::int32_t>(k)),
-          Corners{s.n[0].tet(), s.n[1].tet(), s.n[2].tet(), s.n[3].tet()});
+          across(static_cast<std::int32_t>(k)));
     }
   }
   [[nodiscard]] std::size_t slots() const { return slots_.size(); }

@@ -12,6 +12,13 @@ namespace remeshd {
 
 namespace {
 
+/// What a tet is before flat tets on curved faces are peeled.
+enum class Place : std::uint8_t {
+  Outside,
+  Inside,
+  OnPlane,  ///< flat, its nodes on a plane face: inside where it is between tets that are
+};
+
 /// Stands for a neighbour in the model that is not in the patch.
 constexpr std::int32_t kBeyond = std::numeric_limits<std::int32_t>::max();
 
@@ -84,21 +91,22 @@ class TetsAcrossRims {
   const bool any_;
 };
 
-/// Whether a tet is in the model, before flat tets on curved faces are peeled.
-bool contributes(const NodeSet& nodes, const BoundaryModel& boundary, const TetsAcrossRims& rims,
-                 const InsideTest& inside, const Tet& t, bool by_centroid_only) {
+Place place_of(const NodeSet& nodes, const BoundaryModel& boundary, const TetsAcrossRims& rims,
+               const InsideTest& inside, const Tet& t, bool by_centroid_only) {
+  const auto of = [](bool in_model) { return in_model ? Place::Inside : Place::Outside; };
   for (const std::int32_t n : t)
-    if (nodes.supports[n].kind == Support::Kind::Interior) return true;
-  if (rims.has(t)) return false;
+    if (nodes.supports[n].kind == Support::Kind::Interior) return Place::Inside;
+  if (rims.has(t)) return Place::Outside;
   const FacesOf& faces = rims.sheets();
   const int face = face_of(nodes, faces, t);
-  if (face >= 0 && boundary.faces[face].surface.kind == Surface::Kind::Plane) return false;
-  if (by_centroid_only) return inside(centroid(nodes.positions, t));
+  if (face >= 0 && boundary.faces[face].surface.kind == Surface::Kind::Plane)
+    return by_centroid_only ? Place::Outside : Place::OnPlane;
+  if (by_centroid_only) return of(inside(centroid(nodes.positions, t)));
   if (face < 0)
     if (const BoundarySide side = side_by_facets(nodes, boundary, rims.faces(), t);
         side != BoundarySide::Unknown)
-      return side == BoundarySide::Inside;
-  return inside(centroid(nodes.positions, t)) && !reaches_out(nodes, faces, inside, t);
+      return of(side == BoundarySide::Inside);
+  return of(inside(centroid(nodes.positions, t)) && !reaches_out(nodes, faces, inside, t));
 }
 
 /// Peels flat tets off the tets in the model, and those that were peeled before the edit, too.
@@ -115,9 +123,10 @@ class Peeling {
         known_(known),
         options_(options) {}
 
-  /// `in_model`: by slot.
-  PeeledMesh peel(const std::vector<std::uint8_t>& in_model) {
-    gather(in_model);
+  /// `places`: by slot.
+  PeeledMesh peel(std::vector<Place> places) {
+    place_those_on_planes(places);
+    gather(places);
     gone_.assign(mesh_.tets.size(), 0);
     for (std::size_t k = 0; k < mesh_.tets.size(); ++k)
       if (is_exposed(k)) queue_.push_back(static_cast<std::int32_t>(k));
@@ -136,15 +145,43 @@ class Peeling {
   [[nodiscard]] Known known_of(std::int32_t slot) const { return known_.tets[slot]; }
 
  private:
+  /// Places flat tets in the plane of a face inside where all round them is, as within the rim of a
+  /// pin that stands on the face: without them a void would be left, between facets that cut each
+  /// other. Clean-up takes them out by flips. On the face itself they are outside.
+  void place_those_on_planes(std::vector<Place>& places) const {
+    std::vector<std::int32_t> flat;
+    for (std::size_t k = 0; k < places.size(); ++k)
+      if (places[k] == Place::OnPlane) flat.push_back(static_cast<std::int32_t>(k));
+    const auto meets_outside = [&](std::int32_t slot) {
+      const Tet across = delaunay_.across(slot);
+      for (int i = 0; i < 4; ++i) {
+        const std::int32_t exterior = delaunay_.exterior(slot, i);
+        if (exterior >= 0 ? known_.exterior[exterior] == 0
+                          : across[i] < 0 || places[across[i]] == Place::Outside)
+          return true;
+      }
+      return false;
+    };
+    for (std::size_t before = flat.size() + 1; flat.size() < before;) {
+      before = flat.size();
+      std::erase_if(flat, [&](std::int32_t slot) {
+        if (!meets_outside(slot)) return false;
+        places[slot] = Place::Outside;
+        return true;
+      });
+    }
+    for (const std::int32_t slot : flat) places[slot] = Place::Inside;
+  }
+
   /// Gathers the tets in the model and, by tet, what is across each facet: a tet's index, kBeyond,
   /// or -1 where that is outside of the model.
-  void gather(const std::vector<std::uint8_t>& in_model) {
+  void gather(const std::vector<Place>& places) {
     mesh_.tets.reserve(delaunay_.size());
     mesh_.slots.reserve(delaunay_.size());
     neighbours_.reserve(delaunay_.size());
     std::vector<std::int32_t> number(delaunay_.slots(), -1);
     delaunay_.for_each_tet_with_neighbours([&](std::int32_t slot, const Tet& t, const Tet& across) {
-      if (in_model[slot] == 0) return;
+      if (places[slot] == Place::Outside) return;
       number[slot] = static_cast<std::int32_t>(mesh_.tets.size());
       mesh_.tets.push_back(t);
       mesh_.slots.push_back(slot);
@@ -168,12 +205,27 @@ class Peeling {
     const auto shown = std::count(neighbours_[k].begin(), neighbours_[k].end(), -1);
     switch (known_of(mesh_.slots[k])) {
       case Known::No:
-        return shown == 2 || (shown == 3 && shows_its_back(k));
+        return (shown == 2 && shows_its_face_alone(k)) || (shown == 3 && shows_its_back(k));
       case Known::WasOutside:
         return shown >= 2;
       default:
         return false;
     }
+  }
+  /// Whether the exposed facets all represent the face that the tet lies on. Else one is on a plane
+  /// that meets this, as on the top of a cone that is cut off just below its apex: a thin tet there
+  /// is no chord's sliver, and what is below it is not on the plane.
+  [[nodiscard]] bool shows_its_face_alone(std::size_t k) const {
+    if (options_.by_centroid_only) return true;  // even meshes stay as older versions made them
+    const Tet& t = mesh_.tets[k];
+    const int face = face_of(nodes_, faces_, t);
+    for (int i = 0; i < 4; ++i) {
+      const auto& f = kTetFacets[i];
+      if (neighbours_[k][i] == -1 &&
+          face_of<3>(nodes_, faces_, {t[f[0]], t[f[1]], t[f[2]]}) != face)
+        return false;
+    }
+    return true;
   }
   /// Whether an exposed facet looks away from the face that the tet lies on, as where the face ends
   /// at a step that the tet reaches over: there is nothing before the tet nor behind it.
@@ -251,21 +303,19 @@ PeeledMesh peel(const NodeSet& nodes, const DelaunayMesh& delaunay, const Bounda
   const FacesOf faces(boundary);
   const TetsAcrossRims rims(nodes, boundary);
   Peeling peeling(nodes, delaunay, boundary, faces, known, options);
-  std::vector<std::uint8_t> in_model(delaunay.slots(), 0);
+  std::vector<Place> places(delaunay.slots(), Place::Outside);
   in_blocks(delaunay.slots(), kFairBlock, run, [&](std::size_t begin, std::size_t end) {
     run.poll();
     for (auto slot = static_cast<std::int32_t>(begin); slot < static_cast<std::int32_t>(end);
          ++slot) {
       const Tet t = delaunay.corners(slot);
       if (!delaunay.in_use(slot) || std::ranges::min(t) < 0) continue;
-      in_model[slot] =
-          peeling.known_of(slot) == KnownClassification::Known::Inside ||
-                  contributes(nodes, boundary, rims, inside, t, options.by_centroid_only)
-              ? 1
-              : 0;
+      places[slot] = peeling.known_of(slot) == KnownClassification::Known::Inside
+                         ? Place::Inside
+                         : place_of(nodes, boundary, rims, inside, t, options.by_centroid_only);
     }
   });
-  return peeling.peel(in_model);
+  return peeling.peel(std::move(places));
 }
 
 }  // namespace remeshd

@@ -49,9 +49,10 @@ struct PeeledMesh {
 /// Takes the mesh of the model out of the Delaunay mesh of its nodes: tets with an interior node
 /// are inside; of the others, those whose centroid lies in the model (Sect. 3.4; `options` may ask
 /// for more tests). Tets whose four nodes lie on one face are flat against it. On a plane they are
-/// outside. On a curved face a tet of low quality is peeled once exactly two of its facets are
-/// exposed, or three if one of them looks away from the face; a tet known as WasOutside once two or
-/// more are.
+/// outside; where more tests are asked for, those between tets in the model stay, as within the rim
+/// of a pin that stands on the face. On a curved face a tet of low quality is peeled once exactly
+/// two of its facets are exposed, and these, where more tests are asked for, on no other face; or
+/// three if one of them looks away from the face; a tet known as WasOutside once two or more are.
 ///
 /// The rim of a group: on a plane, faces that only a rim separates count as one face; on a curved
 /// surface, shallow tets with nodes on both sides of a rim are outside.

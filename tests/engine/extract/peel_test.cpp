@@ -184,6 +184,63 @@ TEST(Peel, AFlatTetGoesThatReachesOverAStepAtTheEndOfItsFace) {
   EXPECT_EQ(std::ranges::count(mesh.tets[0], 1), 0);  // that below the step
 }
 
+/// How many tets are left of those between four nodes round the foot of a pin on a plate, nearly in
+/// one plane and on one circle, a node below them and one in the pin.
+std::size_t tets_at_a_pins_foot(bool node_in_pin, bool by_centroid_only) {
+  const FeatureModel model = evaluate(test::model_of(
+      {test::block("plate", 40, 40, 5), test::placed(test::cylinder("pin", 1, 6), 0, 0, 5)}));
+  const CellularModel cells = build_cells(model, kRun);
+  const Membership membership(model);
+  constexpr double kRounding = 1e-12;
+  const Support rim = nearest_edge(cells.boundary, {1, 0, 5});
+  NodeSet nodes;
+  for (const double sign : {-1.0, 1.0}) {
+    nodes.add_new({sign, 0, 5 + kRounding}, rim);
+    nodes.add_new({0, sign, 5 - kRounding}, rim);
+  }
+  nodes.add_new({0, 0, 3.5});
+  if (node_in_pin) nodes.add_new({0, 0, 7});
+  DelaunayMesh delaunay(cells.boundary.bounds);
+  std::vector<std::int32_t> all(nodes.positions.size());
+  std::iota(all.begin(), all.end(), 0);
+  delaunay.insert(nodes.positions, all, kRun);
+  return peel(
+             nodes, delaunay, cells.boundary, [&](const Vec3& p) { return membership.inside(p); },
+             KnownClassification::nothing(delaunay), {.by_centroid_only = by_centroid_only}, kRun)
+      .tets.size();
+}
+
+TEST(Peel, KeepsAFlatTetOnAPlaneWhereThereIsMaterialOnBothSides) {
+  EXPECT_EQ(tets_at_a_pins_foot(true, true), 4U) << "two below, two above, none between";
+  EXPECT_EQ(tets_at_a_pins_foot(true, false), 5U);
+  EXPECT_EQ(tets_at_a_pins_foot(false, false), 2U) << "nothing above";
+}
+
+TEST(Peel, KeepsAThinTetBelowTheTopOfAConeThatIsNearlyAPoint) {
+  const FeatureModel model = evaluate(test::one_feature(test::feature(
+      "c", "cone", {{"radius_bottom", 5.0}, {"radius_top", 0.01}, {"height", 10.0}})));
+  const CellularModel cells = build_cells(model, kRun);
+  const Membership membership(model);
+  const double third = 2 * std::numbers::pi / 3;
+  NodeSet nodes;
+  for (const double angle : {0.5 * third, 1.5 * third, 2.5 * third}) {
+    const Vec3 p{0.01 * std::cos(angle), 0.01 * std::sin(angle), 10};
+    nodes.add_new(p, nearest_edge(cells.boundary, p));
+  }
+  const Vec3 on_wall{0.01 + 0.499, 0, 9};
+  nodes.add_new(on_wall, {Support::Kind::Face, face_at(cells.boundary, on_wall)});
+  nodes.add_new({-0.1, 0, 8.5});
+  DelaunayMesh delaunay(cells.boundary.bounds);
+  const std::vector<std::int32_t> all{0, 1, 2, 3, 4};
+  delaunay.insert(nodes.positions, all, kRun);
+  const PeeledMesh mesh = peel(
+      nodes, delaunay, cells.boundary, [&](const Vec3& p) { return membership.inside(p); },
+      KnownClassification::nothing(delaunay), {.by_centroid_only = false}, kRun);
+  EXPECT_TRUE(std::ranges::any_of(mesh.tets, [](const Tet& t) {
+    return std::ranges::count(t, 4) == 0;  // the top, its rim's nodes and the one on the wall
+  }));
+}
+
 TEST(Peel, AnEdgeAlongWhereTwoFeaturesTouchStaysInTheModel) {
   // By rounding a point of the plane between two features may be in neither: z = 5 here.
   const FeatureModel model = evaluate(test::one_feature(test::block("b", 10, 10, 10)));
