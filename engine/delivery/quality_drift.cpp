@@ -10,8 +10,10 @@ namespace remeshd {
 namespace {
 
 constexpr QualityReference kMostDrift{.volume_length_mean = 0.005, .nodes_over_expected = 0.1};
-/// Twice as much as adding or removing a detail alone changes the mean by.
-constexpr QualityReference kMostSizedDrift{.volume_length_mean = 0.02};
+/// Adding or removing a detail alone changes the mean by a quarter of this, a sweep of a plate's
+/// thickness by half of it within five steps; new meshes of Gmsh HXT lie below ours by twice as
+/// much (tests/bench/sized.md). A chain of edits keeps its nodes until then.
+constexpr QualityReference kMostSizedDrift{.volume_length_mean = 0.04};
 
 }  // namespace
 

@@ -17,7 +17,7 @@ bool is_regular(const Revision& revision);
 /// regular one may be worth its time. `now`: figures of the mesh; `then`: figures of the last
 /// regular mesh.
 ///
-/// True where the mean volume-length measure has fallen by more than 0.005, or by more than 0.02
+/// True where the mean volume-length measure has fallen by more than 0.005, or by more than 0.04
 /// where the mesh is not `even` (details that come and go change it too). True also where the
 /// number of nodes, over the number expected for the edge length, has changed by more than 10%, up
 /// or down; that is known for even meshes alone.

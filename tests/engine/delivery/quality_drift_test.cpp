@@ -22,9 +22,9 @@ TEST(QualityDrift, IsALossOfMoreThanFiveThousandthsOfTheMeanQuality) {
   EXPECT_FALSE(drifted(-0.1, 1)) << "better than the regular mesh";
 }
 
-TEST(QualityDrift, IsALossOfTwoHundredthsWhereEdgesAreNotEven) {
-  EXPECT_FALSE(drifted(0.0199, 1, false));
-  EXPECT_TRUE(drifted(0.0201, 1, false));
+TEST(QualityDrift, IsALossOfFourHundredthsWhereEdgesAreNotEven) {
+  EXPECT_FALSE(drifted(0.0399, 1, false));
+  EXPECT_TRUE(drifted(0.0401, 1, false));
 }
 
 TEST(QualityDrift, IsMoreThanATenthTooManyNodesOrTooFew) {
