@@ -19,23 +19,29 @@ namespace {
 
 using test::kRun;
 
-/// A cube with a node in its middle and one at each vertex but the last `missing`.
-PeeledMesh peeled_cube(int missing) {
-  const FeatureModel model = evaluate(test::one_feature(test::block("b", 2, 2, 2)));
-  const CellularModel cells = build_cells(model, kRun);
-  const BoundaryModel& boundary = cells.boundary;
+/// The mesh that is peeled off the Delaunay mesh of all nodes.
+PeeledMesh peeled(const NodeSet& nodes, const FeatureModel& model, const BoundaryModel& boundary,
+                  const PeelOptions& options) {
   const Membership membership(model);
-  NodeSet nodes;
-  nodes.add_new(0.5 * (boundary.bounds.lo + boundary.bounds.hi));
-  for (int v = 0; v + missing < static_cast<int>(boundary.vertices.size()); ++v)
-    nodes.add_new(boundary.vertices[v].position, {Support::Kind::Vertex, v});
   DelaunayMesh delaunay(boundary.bounds);
   std::vector<std::int32_t> all(nodes.positions.size());
   std::iota(all.begin(), all.end(), 0);
   delaunay.insert(nodes.positions, all, kRun);
   return peel(
       nodes, delaunay, boundary, [&](const Vec3& p) { return membership.inside(p); },
-      KnownClassification::nothing(delaunay), {}, kRun);
+      KnownClassification::nothing(delaunay), options, kRun);
+}
+
+/// A cube with a node in its middle and one at each vertex but the last `missing`.
+PeeledMesh peeled_cube(int missing) {
+  const FeatureModel model = evaluate(test::one_feature(test::block("b", 2, 2, 2)));
+  const CellularModel cells = build_cells(model, kRun);
+  const BoundaryModel& boundary = cells.boundary;
+  NodeSet nodes;
+  nodes.add_new(0.5 * (boundary.bounds.lo + boundary.bounds.hi));
+  for (int v = 0; v + missing < static_cast<int>(boundary.vertices.size()); ++v)
+    nodes.add_new(boundary.vertices[v].position, {Support::Kind::Vertex, v});
+  return peeled(nodes, model, boundary, {});
 }
 
 TEST(Peel, OfACubeLeavesTwoTetsOnEachSide) {
@@ -66,16 +72,10 @@ PeeledMesh peeled_across_a_slot(const PeelOptions& options) {
       test::model_of({test::block("b", 10, 10, 10),
                       test::placed(test::block("slot", 6, 20, 2), 5, 0, 4, Nature::Subtractive)}));
   const CellularModel cells = build_cells(model, kRun);
-  const Membership membership(model);
   NodeSet nodes;
   for (const Vec3& p : {Vec3{5, 0, 9}, Vec3{5, 3, 7}, Vec3{3, 3, 6}, Vec3{5, 1, 3.9}})
     nodes.add_new(p, {Support::Kind::Face, face_at(cells.boundary, p)});
-  DelaunayMesh delaunay(cells.boundary.bounds);
-  const std::vector<std::int32_t> all{0, 1, 2, 3};
-  delaunay.insert(nodes.positions, all, kRun);
-  return peel(
-      nodes, delaunay, cells.boundary, [&](const Vec3& p) { return membership.inside(p); },
-      KnownClassification::nothing(delaunay), options, kRun);
+  return peeled(nodes, model, cells.boundary, options);
 }
 
 TEST(Peel, LeavesOutATetAcrossAGapWhereEdgesAreAsked) {
@@ -88,20 +88,13 @@ TEST(Peel, KeepsATetBehindAChordOfAHoleThoughItsCentroidIsInTheHole) {
       test::model_of({test::block("plate", 30, 30, 4),
                       test::placed(test::cylinder("hole", 5, 10), 0, 0, -5, Nature::Subtractive)}));
   const CellularModel cells = build_cells(model, kRun);
-  const Membership membership(model);
   NodeSet nodes;
   for (const Vec3& p :
        {Vec3{5 * std::cos(0.2), -5 * std::sin(0.2), 3},
         Vec3{5 * std::cos(0.2), 5 * std::sin(0.2), 3}, Vec3{5, 0, 1}, Vec3{5.02, 0, 4}})
     nodes.add_new(p, {Support::Kind::Face, face_at(cells.boundary, p)});
-  DelaunayMesh delaunay(cells.boundary.bounds);
-  const std::vector<std::int32_t> all{0, 1, 2, 3};
-  delaunay.insert(nodes.positions, all, kRun);
   const auto tets_left = [&](bool by_centroid_only) {
-    return peel(
-               nodes, delaunay, cells.boundary, [&](const Vec3& p) { return membership.inside(p); },
-               KnownClassification::nothing(delaunay), {.by_centroid_only = by_centroid_only}, kRun)
-        .tets.size();
+    return peeled(nodes, model, cells.boundary, {.by_centroid_only = by_centroid_only}).tets.size();
   };
   EXPECT_EQ(tets_left(true), 0U);
   EXPECT_EQ(tets_left(false), 1U);
@@ -113,7 +106,6 @@ PeeledMesh peeled_torus(const PeelOptions& options) {
   const FeatureModel model = evaluate(test::one_feature(
       test::feature("ring", "torus", {{"major_radius", 4.0}, {"minor_radius", 1.0}})));
   const CellularModel cells = build_cells(model, kRun);
-  const Membership membership(model);
   NodeSet nodes;
   nodes.add_new({4, 0, 0});
   const auto add = [&](double along, double across) {  // angles
@@ -125,13 +117,7 @@ PeeledMesh peeled_torus(const PeelOptions& options) {
     add(0.12 * sign, 0);
     add(0, 0.3 * sign);
   }
-  DelaunayMesh delaunay(cells.boundary.bounds);
-  std::vector<std::int32_t> all(nodes.positions.size());
-  std::iota(all.begin(), all.end(), 0);
-  delaunay.insert(nodes.positions, all, kRun);
-  return peel(
-      nodes, delaunay, cells.boundary, [&](const Vec3& p) { return membership.inside(p); },
-      KnownClassification::nothing(delaunay), options, kRun);
+  return peeled(nodes, model, cells.boundary, options);
 }
 
 TEST(Peel, AFlatTetOnACurvedFaceGoesWhereItIsOfLowQuality) {
@@ -162,7 +148,6 @@ TEST(Peel, AFlatTetGoesThatReachesOverAStepAtTheEndOfItsFace) {
        test::placed(test::cylinder("hole", 1, 20), 56, 1, -5, Nature::Subtractive)}));
   const CellularModel cells = build_cells(model, kRun);
   const BoundaryModel& boundary = cells.boundary;
-  const Membership membership(model);
   const auto on_wall = [](double degrees, double z) {
     const double angle = degrees * std::numbers::pi / 180;
     return Vec3{60 * std::cos(angle), 60 * std::sin(angle), z};
@@ -174,12 +159,7 @@ TEST(Peel, AFlatTetGoesThatReachesOverAStepAtTheEndOfItsFace) {
   for (const Vec3& p : {above, beside}) nodes.add_new(p, nearest_edge(boundary, p));
   for (const Vec3& p : {below, behind})
     nodes.add_new(p, {Support::Kind::Face, face_at(boundary, p)});
-  DelaunayMesh delaunay(boundary.bounds);
-  const std::vector<std::int32_t> all{0, 1, 2, 3, 4};
-  delaunay.insert(nodes.positions, all, kRun);
-  const PeeledMesh mesh = peel(
-      nodes, delaunay, boundary, [&](const Vec3& p) { return membership.inside(p); },
-      KnownClassification::nothing(delaunay), {}, kRun);
+  const PeeledMesh mesh = peeled(nodes, model, boundary, {});
   ASSERT_EQ(mesh.tets.size(), 1U);
   EXPECT_EQ(std::ranges::count(mesh.tets[0], 1), 0);  // that below the step
 }
@@ -190,7 +170,6 @@ std::size_t tets_at_a_pins_foot(bool node_in_pin, bool by_centroid_only) {
   const FeatureModel model = evaluate(test::model_of(
       {test::block("plate", 40, 40, 5), test::placed(test::cylinder("pin", 1, 6), 0, 0, 5)}));
   const CellularModel cells = build_cells(model, kRun);
-  const Membership membership(model);
   constexpr double kRounding = 1e-12;
   const Support rim = nearest_edge(cells.boundary, {1, 0, 5});
   NodeSet nodes;
@@ -200,14 +179,7 @@ std::size_t tets_at_a_pins_foot(bool node_in_pin, bool by_centroid_only) {
   }
   nodes.add_new({0, 0, 3.5});
   if (node_in_pin) nodes.add_new({0, 0, 7});
-  DelaunayMesh delaunay(cells.boundary.bounds);
-  std::vector<std::int32_t> all(nodes.positions.size());
-  std::iota(all.begin(), all.end(), 0);
-  delaunay.insert(nodes.positions, all, kRun);
-  return peel(
-             nodes, delaunay, cells.boundary, [&](const Vec3& p) { return membership.inside(p); },
-             KnownClassification::nothing(delaunay), {.by_centroid_only = by_centroid_only}, kRun)
-      .tets.size();
+  return peeled(nodes, model, cells.boundary, {.by_centroid_only = by_centroid_only}).tets.size();
 }
 
 TEST(Peel, KeepsAFlatTetOnAPlaneWhereThereIsMaterialOnBothSides) {
@@ -220,7 +192,6 @@ TEST(Peel, KeepsAThinTetBelowTheTopOfAConeThatIsNearlyAPoint) {
   const FeatureModel model = evaluate(test::one_feature(test::feature(
       "c", "cone", {{"radius_bottom", 5.0}, {"radius_top", 0.01}, {"height", 10.0}})));
   const CellularModel cells = build_cells(model, kRun);
-  const Membership membership(model);
   const double third = 2 * std::numbers::pi / 3;
   NodeSet nodes;
   for (const double angle : {0.5 * third, 1.5 * third, 2.5 * third}) {
@@ -230,12 +201,7 @@ TEST(Peel, KeepsAThinTetBelowTheTopOfAConeThatIsNearlyAPoint) {
   const Vec3 on_wall{0.01 + 0.499, 0, 9};
   nodes.add_new(on_wall, {Support::Kind::Face, face_at(cells.boundary, on_wall)});
   nodes.add_new({-0.1, 0, 8.5});
-  DelaunayMesh delaunay(cells.boundary.bounds);
-  const std::vector<std::int32_t> all{0, 1, 2, 3, 4};
-  delaunay.insert(nodes.positions, all, kRun);
-  const PeeledMesh mesh = peel(
-      nodes, delaunay, cells.boundary, [&](const Vec3& p) { return membership.inside(p); },
-      KnownClassification::nothing(delaunay), {.by_centroid_only = false}, kRun);
+  const PeeledMesh mesh = peeled(nodes, model, cells.boundary, {.by_centroid_only = false});
   EXPECT_TRUE(std::ranges::any_of(mesh.tets, [](const Tet& t) {
     return std::ranges::count(t, 4) == 0;  // the top, its rim's nodes and the one on the wall
   }));
