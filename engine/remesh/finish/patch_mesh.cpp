@@ -181,9 +181,10 @@ ReusedMesh all_new(const Candidate& c) {
 
 }  // namespace
 
-std::vector<std::int32_t> drop_unused(NodeSet& nodes, std::vector<Tet>& tets, DelaunayMesh& mesh,
-                                      const Run& run) {
-  std::vector<std::int32_t> number(nodes.positions.size(), -1);
+DroppedNodes drop_unused(NodeSet& nodes, std::vector<Tet>& tets, DelaunayMesh& mesh,
+                         const Run& run) {
+  DroppedNodes dropped{.number = std::vector<std::int32_t>(nodes.positions.size(), -1)};
+  std::vector<std::int32_t>& number = dropped.number;
   std::fill_n(number.begin(), nodes.interface_nodes, 0);
   for (const Tet& t : tets)
     for (const std::int32_t n : t) number[n] = 0;
@@ -197,19 +198,20 @@ std::vector<std::int32_t> drop_unused(NodeSet& nodes, std::vector<Tet>& tets, De
     nodes.move(n, next);
     number[n] = next++;
   }
-  if (unused.empty()) return number;
+  if (unused.empty()) return dropped;
   nodes.resize(next);
   for (Tet& t : tets) t = renamed(t, number);
   if (mesh.remove(unused, run)) {
     mesh.rename(number, next);
   } else {
+    dropped.rebuilt = true;
     mesh = mesh.emptied();
     std::vector<std::int32_t> all(next);
     std::iota(all.begin(), all.end(), 0);
     mesh.insert(nodes.positions, all, run);
   }
   if (mesh.patch_too_small()) throw PatchTooSmall{"leaving out nodes"};
-  return number;
+  return dropped;
 }
 
 PeeledMesh peeled(const Candidate& c, const MeshingTask& task, const MeshPatch& patch,
@@ -226,8 +228,9 @@ Candidate extract(NodeSet nodes, OptimiseResult loop, const MeshingTask& task,
   c.loop = std::move(loop);
   c.nodes = std::move(nodes);
   task.run.report("extract", 0.8);
-  c.delaunay = peeled(c, task, patch, inside);
-  drop_unused(c.nodes, c.delaunay.tets, c.loop.mesh, task.run);
+  do {
+    c.delaunay = peeled(c, task, patch, inside);
+  } while (drop_unused(c.nodes, c.delaunay.tets, c.loop.mesh, task.run).rebuilt);
   dump_nodes(task.run, "08-peel", c.nodes, task.density.sizes, c.delaunay.tets);
   return c;
 }

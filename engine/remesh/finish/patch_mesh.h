@@ -22,11 +22,17 @@ Candidate extract(NodeSet nodes, OptimiseResult loop, const MeshingTask& task,
 PeeledMesh peeled(const Candidate& c, const MeshingTask& task, const MeshPatch& patch,
                   const InsideTest& inside);
 
+struct DroppedNodes {
+  std::vector<std::int32_t> number;  ///< by node: the number it has now; -1: it was left out
+  /// Whether the Delaunay mesh had to be built anew: its tets are in other slots, and where nodes
+  /// share an empty sphere they may be others.
+  bool rebuilt = false;
+};
+
 /// Leaves out the nodes that no tet uses, but for those at the interface, and renumbers the tets
-/// and the Delaunay mesh. Returns the numbers, by node; -1 for those left out. Throws
-/// PatchTooSmall.
-std::vector<std::int32_t> drop_unused(NodeSet& nodes, std::vector<Tet>& tets, DelaunayMesh& mesh,
-                                      const Run& run);
+/// and the Delaunay mesh. Throws PatchTooSmall.
+DroppedNodes drop_unused(NodeSet& nodes, std::vector<Tet>& tets, DelaunayMesh& mesh,
+                         const Run& run);
 
 /// The patch's mesh: improved tets reused where nothing changed, the rest cleaned up if `clean_up`.
 /// Sets `c.bad_at_interface`. Throws PatchTooSmall.

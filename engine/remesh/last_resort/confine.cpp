@@ -96,7 +96,7 @@ Refilled with_refilled(const Candidate& c, const ReusedMesh& mesh, RefilledMesh 
   live.follow(next.nodes);
   next.loop.mesh = live.mesh();
   const std::vector<std::int32_t> number =
-      drop_unused(next.nodes, refilled.mesh.tets, next.loop.mesh, task.run);
+      drop_unused(next.nodes, refilled.mesh.tets, next.loop.mesh, task.run).number;
   for (std::size_t n = 0; n < number.size(); ++n)
     if (number[n] >= 0) refilled.mesh.nodes[number[n]] = refilled.mesh.nodes[n];
   refilled.mesh.nodes.resize(next.nodes.positions.size());

@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "engine/remesh/remesh.h"
 #include "tests/support/cases.h"
@@ -68,6 +70,42 @@ TEST(PatchMesh, OfAFeatureThatChangesShapeKeepsWhatTheShapesShare) {
     EXPECT_GE(edited.report.counts.nodes_kept, 0.75 * base.report.counts.nodes);
     EXPECT_GE(edited.report.quality.dihedral_min, 25);
   }
+}
+
+/// The corners of a lattice of 4 x 4 x 4 cubes, each with a sphere of its own.
+NodeSet lattice() {
+  NodeSet nodes;
+  for (int k = 0; k < 5; ++k)
+    for (int j = 0; j < 5; ++j)
+      for (int i = 0; i < 5; ++i) nodes.add_new(Vec3{1.0 * i, 1.0 * j, 1.0 * k});
+  return nodes;
+}
+
+TEST(DropUnused, TellsWhereTheDelaunayMeshHadToBeBuiltAnew) {
+  // The tets in the peeled mesh are known by their slots, and would be sought in those of a mesh
+  // that was there before.
+  int rebuilt = 0;
+  for (std::int32_t left_out = 0; left_out < lattice().size(); ++left_out) {
+    SCOPED_TRACE(left_out);
+    NodeSet nodes = lattice();
+    DelaunayMesh mesh(box_of(nodes.positions));
+    std::vector<std::int32_t> unused(nodes.positions.size());
+    std::iota(unused.begin(), unused.end(), 0);
+    mesh.insert(nodes.positions, unused, kRun);
+    std::vector<Tet> tets;
+    mesh.for_each_tet([&](const Tet& t) {
+      if (std::ranges::find(t, left_out) != t.end()) return;
+      tets.push_back(t);
+      for (const std::int32_t n : t) std::erase(unused, n);
+    });
+    DelaunayMesh without = mesh;
+    const bool can_be_removed = without.remove(unused, kRun);
+    const DroppedNodes dropped = drop_unused(nodes, tets, mesh, kRun);
+    EXPECT_EQ(dropped.rebuilt, !can_be_removed);
+    EXPECT_EQ(dropped.number[left_out], -1);
+    rebuilt += dropped.rebuilt ? 1 : 0;
+  }
+  EXPECT_GT(rebuilt, 0);
 }
 
 }  // namespace
