@@ -264,17 +264,19 @@ bool DelaunayMesh::remove(std::span<const std::int32_t> nodes, const Run& run) {
     gone[t] = role[v[0]] == 1 || role[v[1]] == 1 || role[v[2]] == 1 || role[v[3]] == 1;
   }
   std::vector<HoleFacet> facets;
-  std::vector<std::int32_t> cavity_facets;
+  std::vector<std::int32_t> round;  // nodes round the holes
   for (std::size_t t = 0; t < slots_.size(); ++t) {
     if (!gone[t]) continue;
     const Slot& s = slots_[t];
     for (int i = 0; i < 4; ++i) {
       if (role[s.v[i]] == 0) {
         role[s.v[i]] = 2;
-        if (s.v[i] >= kSuper) cavity_facets.push_back(s.v[i] - kSuper);
+        if (s.v[i] >= kSuper) round.push_back(s.v[i] - kSuper);
       }
       if (s.n[i].is_tet() && gone[s.n[i].tet()]) continue;
       const auto& f = kTetFacets[i];
+      // At a patch's boundary: no filling has a facet with a node that goes.
+      if (role[s.v[f[0]]] == 1 || role[s.v[f[1]]] == 1 || role[s.v[f[2]]] == 1) return false;
       facets.push_back({HoleFacet::key_of(s.v[f[0]], s.v[f[1]], s.v[f[2]]),
                         s.n[i],
                         {s.v[f[0]], s.v[f[2]], s.v[f[1]]}});
@@ -282,9 +284,9 @@ bool DelaunayMesh::remove(std::span<const std::int32_t> nodes, const Run& run) {
   }
   std::sort(facets.begin(), facets.end());
   std::vector<Vec3> positions(points_.size() - kSuper);
-  for (const std::int32_t n : cavity_facets) positions[n] = points_[n + kSuper];
+  for (const std::int32_t n : round) positions[n] = points_[n + kSuper];
   DelaunayMesh filling{std::span<const Vec3>(points_)};
-  filling.insert(positions, cavity_facets, run);
+  filling.insert(positions, round, run);
   const std::optional<std::vector<Fill>> fill = match_hole(filling, facets, run);
   if (!fill) return false;
 

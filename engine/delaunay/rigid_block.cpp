@@ -76,6 +76,12 @@ bool DelaunayMesh::transplant(const DelaunayMesh& from, const RigidBlock& block,
                               std::span<const std::int32_t> names, const Run& run) {
   const std::optional<std::vector<Fill>> fill = match_hole(*this, block.facets, run);
   if (!fill) return false;
+  std::vector<std::uint8_t> at_facet(points_.size(), 0);
+  for (const HoleFacet& facet : block.facets)
+    for (const std::int32_t v : facet.v) at_facet[v] = 1;
+  for (const Fill& f : *fill)
+    for (const std::int32_t v : slots_[f.tet].v)
+      if (at_facet[v] == 0) return false;  // a node inside of the block, which would be in no tet
   // `outer`: by facet of the block, what lies beyond it here; `facets`: by tet of the block and
   // corner, which facet of the block is opposite, or -1.
   std::vector<FacetRef> outer(block.facets.size(), FacetRef::none());

@@ -181,6 +181,26 @@ TEST(Delaunay, ABodyThatGoesWhereOtherNodesStayIsMeshedWithThem) {
   move_a_box({0.5, 0.25, 0.375}, 0.3);
 }
 
+TEST(Delaunay, ABodyThatGoesRoundANodeIsMeshedWithIt) {
+  // The node is in a hollow of the body, and in none of the balls across the body's own facets.
+  const Vec3 middle{0.5, 0.5, 0.5}, shift{3, 0, 0};
+  std::vector<Vec3> points = cloud(6000, 13);
+  std::erase_if(points, [&](const Vec3& p) { return distance(p, middle) < 0.15; });
+  const DelaunayMesh from = mesh_of(points);
+  std::vector<Vec3> places = points;
+  for (Vec3& p : places) p += shift;
+  places.push_back(middle + shift);
+  const auto node = static_cast<std::int32_t>(points.size());
+  Box box = unit_box();
+  box.add(Vec3{1, 1, 1} + shift);
+  DelaunayMesh mesh(box);
+  mesh.insert(places, std::array{node}, kRun);
+  mesh.insert_moved(from, all(points.size()), places, kRun);
+  DelaunayMesh expected(box);
+  expected.insert(places, all(places.size()), kRun);
+  EXPECT_EQ(sorted_tets(mesh), sorted_tets(expected));
+}
+
 TEST(Delaunay, MovesTooFarForFlipsChangeNothing) {
   const auto before = cloud(400, 7);
   auto points = before;

@@ -204,6 +204,19 @@ TEST(PagedDelaunay, CanBeChangedAgainAfterAPartWasPutBack) {
   EXPECT_EQ(sorted_tets(again), sorted_tets(mesh_of(p.points)));
 }
 
+TEST(PagedDelaunay, NodesAtTheBorderOfAPartCannotBeRemoved) {
+  Part p;
+  const std::vector<Tet> before = sorted_tets(p.patch);
+  int at_border = 0;
+  for (std::int32_t n = 0; n < static_cast<std::int32_t>(p.nodes.size()); ++n) {
+    if (std::ranges::find(p.inner, p.nodes[n]) != p.inner.end()) continue;
+    ++at_border;
+    ASSERT_FALSE(p.patch.remove(std::vector{n}, kRun)) << n;
+  }
+  EXPECT_GT(at_border, 100);
+  EXPECT_EQ(sorted_tets(p.patch), before);
+}
+
 TEST(PagedDelaunay, TakesNewNodesOfAPartAndGivesSomeUp) {
   Part p;
   std::vector<Vec3> places = p.places();
