@@ -83,11 +83,16 @@ std::vector<Vec3> Attempt::faulty_places() const {
   return remeshd::faulty_places(candidate()->verification);
 }
 
+double Attempt::seconds_of_its_own() const {
+  double own = seconds.total;
+  for (const TriedStrategy& rejected : tries) own -= rejected.seconds;
+  return own;
+}
+
 std::vector<Vec3> faulty_places(const Verification& verification) {
   std::vector<Vec3> places;
   for (const MeshDefect& defect : verification.failures)
-    if (defect.entity >= 0 || defect.kind == MeshFailure::NonconformingFacet)
-      places.push_back(defect.place);
+    if (defect.entity >= 0) places.push_back(defect.place);
   return places;
 }
 

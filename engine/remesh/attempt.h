@@ -83,6 +83,8 @@ struct Attempt {
   [[nodiscard]] bool taken() const { return serves && reason.empty(); }
   /// Where its mesh was found to be wrong.
   [[nodiscard]] std::vector<Vec3> faulty_places() const;
+  /// Of the whole attempt, but without its tries.
+  [[nodiscard]] double seconds_of_its_own() const;
   [[nodiscard]] const Candidate* candidate() const { return std::get_if<Candidate>(&mesh); }
 };
 

@@ -77,10 +77,10 @@ std::optional<double> renew_if_drifted(const Problem& problem, double seconds_of
   add(report.seconds, regular.seconds);
   const TriedStrategy drifted{remesh, "the quality had drifted: " + describe(now),
                               seconds_of_remesh};
-  TriedStrategy rejected{regular.name, regular.reason, regular.seconds.total};
+  TriedStrategy rejected{regular.name, regular.reason, regular.seconds_of_its_own()};
+  const std::vector<TriedStrategy> tries = regular.tries;
   if (regular.taken()) {
     const double last_resort = regular.last_resort_share;
-    const std::vector<TriedStrategy> tries = regular.tries;
     Revision anew = revision;
     anew.report.warnings = warnings;
     deliver(std::move(regular), problem, anew);
@@ -99,6 +99,7 @@ std::optional<double> renew_if_drifted(const Problem& problem, double seconds_of
     }
     rejected.reason = "no better than the mesh that had drifted: " + describe(anew.reference);
   }
+  report.attempts.insert(report.attempts.end(), tries.begin(), tries.end());
   report.attempts.push_back(std::move(rejected));
   revision.reference = now;
   return {};

@@ -263,11 +263,13 @@ std::optional<Attempt> first_taken(const Problem& problem, Report& report,
       if (problem.run.on_warnings)
         problem.run.warn(names_to_be_lost(problem.parent, problem.modified.model,
                                           problem.modified.cells.boundary, problem.run));
-      Stopwatch watch;
-      static_cast<void>(problem.plan());
-      watch.lap(report.seconds.difference);
     }
-    if (!how.applies(problem, failed ? &*failed : nullptr)) continue;
+    Stopwatch watch;
+    if (made_nodes) static_cast<void>(problem.plan());
+    // Whether a strategy applies may depend on the plan too, for the edge lengths in it.
+    const bool applies = how.applies(problem, failed ? &*failed : nullptr);
+    watch.lap(report.seconds.difference);
+    if (!applies) continue;
     if (how.instead != nullptr && failed) {
       report.warnings.push_back(made_instead(*failed, how.instead));
       problem.run.warn({&report.warnings.back(), 1});
@@ -275,17 +277,14 @@ std::optional<Attempt> first_taken(const Problem& problem, Report& report,
     report.strategy = how.kind;
     Attempt attempt = attempted(how, problem, failed ? &*failed : nullptr, report);
     add(report.seconds, attempt.seconds);
-    double on_tries = 0;
-    for (TriedStrategy& rejected : attempt.tries) {
-      on_tries += rejected.seconds;
-      report.attempts.push_back(std::move(rejected));
-    }
+    const double seconds = attempt.seconds_of_its_own();
+    std::ranges::move(attempt.tries, std::back_inserter(report.attempts));
     if (attempt.taken()) {
-      report.taken = {attempt.name, "", attempt.seconds.total - on_tries};
+      report.taken = {attempt.name, "", seconds};
       return attempt;
     }
     if (attempt.reason.empty()) continue;  // the strategy does not suit the problem
-    report.attempts.push_back({attempt.name, attempt.reason, attempt.seconds.total - on_tries});
+    report.attempts.push_back({attempt.name, attempt.reason, seconds});
     if (attempt.hopeless && failed && failed->hopeless) throw refusal(attempt, *failed, report);
     if (how.reuse == Reuse::Mesh)
       report.warnings.insert(report.warnings.end(), attempt.warnings.begin(),
@@ -296,6 +295,18 @@ std::optional<Attempt> first_taken(const Problem& problem, Report& report,
   return std::nullopt;
 }
 
-Attempt regular_mesh(const Problem& problem) { return timed(kRenewed, problem, nullptr); }
+Attempt regular_mesh(const Problem& problem) {
+  const Stopwatch watch;
+  try {
+    return timed(kRenewed, problem, nullptr);
+  } catch (const Error& e) {
+    if (e.info().reason != "MESH_TOO_LARGE") throw;
+    Attempt attempt(kRenewed.name);
+    attempt.serves = false;
+    attempt.reason = e.info().message;
+    attempt.seconds.total = watch.total();
+    return attempt;
+  }
+}
 
 }  // namespace remeshd

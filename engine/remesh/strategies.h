@@ -56,7 +56,7 @@ std::optional<Attempt> first_taken(const Problem& problem, Report& report,
                                    std::span<const Strategy> of = strategies());
 
 /// An attempt at a regular mesh of new nodes alone, to renew a remesh (`MeshStrategy::Renewed`); it
-/// may not be taken.
+/// may not be taken, and is not where it would have more nodes than `run.max_nodes`.
 Attempt regular_mesh(const Problem& problem);
 
 }  // namespace remeshd

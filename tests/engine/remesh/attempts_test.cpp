@@ -95,6 +95,22 @@ TEST(Attempts, TellOfARegularMeshThatWasNoBetter) {
   EXPECT_THAT(made.report.attempts.back().reason, StartsWith("no better"));
 }
 
+TEST(Attempts, TellOfARegularMeshThatWouldHaveTooManyNodes) {
+  // The remesh has its nodes already; a limit that has become lower is no reason to refuse it.
+  const MeshOptions options{.nodes = 2500, .sizing = {.even = false}};
+  Revision base = make_revision(Revision::none(), test::case_model("tool1-a"), options, kRun);
+  base.reference.volume_length_mean = 0.99;
+  remeshd::Run limited;
+  limited.max_nodes = 2000;
+  const Revision made = make_revision(base, apply(base.source, test::case_edit("tool1-ab")),
+                                      {.sizing = {.even = false}}, limited);
+  ASSERT_EQ(made.report.strategy, MeshStrategy::Local);
+  EXPECT_THAT(tried_strategies(made.report), ElementsAre("renewed"));
+  expect_told(made.report);
+  EXPECT_THAT(made.report.attempts.back().reason,
+              testing::HasSubstr("nodes, more than the limit of 2000"));
+}
+
 TEST(Attempts, AreStoredButForTheirSeconds) {
   const Revision made = edit_of_a_drifted_mesh({});
   const Report loaded = test::stored_and_loaded(made).report;
