@@ -58,6 +58,7 @@ TEST_P(OlderStores, AreTakenOverWithAllThatTheyHold) {
           verify(r.output.mesh, r.supports(), r.cells.boundary, r.cells.volume, kRun).valid);
       EXPECT_EQ(r.report.revision, held->record.id);
       EXPECT_EQ(held->record.nodes, r.output.mesh.nodes.size());
+      EXPECT_EQ(r.report.figures.size(), r.output.groups.facet_groups.size());
     }
   }
 }

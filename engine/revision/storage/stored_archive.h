@@ -2,6 +2,7 @@
 
 #include <bit>
 #include <cereal/archives/portable_binary.hpp>
+#include <cstdint>
 #include <cstring>
 #include <string_view>
 #include <type_traits>

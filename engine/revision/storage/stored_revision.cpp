@@ -329,8 +329,11 @@ StoredArrays image_of(const Revision& revision) {
 }
 
 Revision revision_of(const StoredArrays& image, const Revision* alike, const Run& run) {
-  if (const StoredArray* whole = image.find(kOlderBytes))
-    return read_older_format(whole->flat(), run);
+  if (const StoredArray* whole = image.find(kOlderBytes)) {
+    Revision older = read_older_format(whole->flat(), run);
+    older.report.figures = group_figures(older);  // it has none stored
+    return older;
+  }
   const Reader read(image);
   Revision revision;
   Documents documents = read_documents(read.bytes(kDocuments), revision);

@@ -32,8 +32,8 @@ bool is_finite(const Vec3& p) {
   return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
 }
 
-void expect_finite(bool finite) {
-  if (!finite) throw error::internal("store", "a stored revision has numbers that are none");
+void expect_finite(bool finite, const char* array) {
+  if (!finite) fail(array);
 }
 
 /// Nodes lie in features, whose coordinates and sizes are at most kMaxLength.
@@ -78,6 +78,8 @@ void check_delivery(const OutputMesh& d) {
       [&](std::size_t, const Tet& tet) { expect_below(tet, 0, nodes, "delivery.tets"); });
   expect_size(d.node_ids.size(), nodes, "delivery.node_ids");
   expect_size(d.tet_ids.size(), tets, "delivery.tet_ids");
+  for (const std::vector<std::string>& faces : d.groups.facet_groups)
+    if (faces.empty()) fail("delivery.facet_groups");
   for (const MeshFacet& facet : d.groups.facets) {
     expect_below(facet.nodes, 0, nodes, "delivery.facets");
     expect_below(std::array{facet.tet}, 0, tets, "delivery.facet_tets");
@@ -103,7 +105,8 @@ void check_delivery(const OutputMesh& d) {
 void check_master(const DelaunayState& m, const OutputMesh& d, const BoundaryModel& boundary) {
   if (!m.mesh.consistent()) fail("delaunay.slots");
   check_places(m.positions(), "delaunay.points");
-  for (const Vec3& corner : m.mesh.super_vertices()) expect_finite(is_finite(corner));
+  for (const Vec3& corner : m.mesh.super_vertices())
+    expect_finite(is_finite(corner), "delaunay.points");
   expect_size(m.positions().size(), d.mesh.nodes.size(), "delaunay.points");
   expect_size(m.supports.size(), d.mesh.nodes.size(), "master.supports");
   check_supports(m.supports, boundary, "master.supports");
@@ -128,8 +131,9 @@ void check_face(const kernel::BrepFace& face, const kernel::Brep& brep) {
   expect_below(face.edges, 0, brep.edges.size(), "edges of faces");
   for (const auto& triangle : face.triangles)
     expect_below(triangle, 0, brep.points.size(), "triangles of faces");
-  expect_finite(is_finite(face.centroid) && std::isfinite(face.area) &&
-                std::isfinite(face.swept_volume));
+  expect_finite(
+      is_finite(face.centroid) && std::isfinite(face.area) && std::isfinite(face.swept_volume),
+      "faces");
 }
 
 void check_edge(const kernel::BrepEdge& edge, const kernel::Brep& brep) {
@@ -138,19 +142,21 @@ void check_edge(const kernel::BrepEdge& edge, const kernel::Brep& brep) {
   expect_below(edge.vertices, 0, brep.vertices.size(), "vertices of edges");
   expect_below(edge.chain, 0, brep.points.size(), "points of edges");
   if (edge.points.size() < 2 || edge.chain.size() < 2) fail("points of edges");
-  for (const Vec3& p : edge.points) expect_finite(is_finite(p));
-  for (const Vec3& p : edge.tangents) expect_finite(is_finite(p));
-  for (const auto& [p, along] : edge.samples) expect_finite(is_finite(p) && is_finite(along));
+  for (const Vec3& p : edge.points) expect_finite(is_finite(p), "points of edges");
+  for (const Vec3& p : edge.tangents) expect_finite(is_finite(p), "tangents of edges");
+  for (const auto& [p, along] : edge.samples)
+    expect_finite(is_finite(p) && is_finite(along), "samples of edges");
   expect_finite(is_finite(edge.centre) && is_finite(edge.axis) && std::isfinite(edge.radius) &&
-                std::isfinite(edge.length));
+                    std::isfinite(edge.length),
+                "circles of edges");
 }
 
 void check_piece(const BoundaryPiece& piece, const FeatureModel& model) {
   const Surface& surface = piece.surface;
   if (surface.kind < Surface::Kind::Plane || surface.kind > Surface::Kind::Torus)
     fail("kinds of surfaces");
-  for (const double number : surface.frame.m) expect_finite(std::isfinite(number));
-  expect_finite(std::isfinite(surface.r1) && std::isfinite(surface.r2));
+  for (const double number : surface.frame.m) expect_finite(std::isfinite(number), "surfaces");
+  expect_finite(std::isfinite(surface.r1) && std::isfinite(surface.r2), "surfaces");
   if (piece.material_names.empty() && piece.other_names.empty()) fail("names of faces");
   check_names(piece.material_names, model);
   check_names(piece.other_names, model);
@@ -186,7 +192,8 @@ void check_sizes(const Revision& revision) {
   constexpr const char* kArray = "sizes.nodes";
   for (const SizedBall& ball : revision.dense_places)
     expect_finite(is_place(ball.centre) && std::isfinite(ball.radius) && ball.radius >= 0 &&
-                  std::isfinite(ball.size) && ball.size > 0);
+                      std::isfinite(ball.size) && ball.size > 0,
+                  "dense places");
   if (revision.output.node_sizes.empty()) return;
   expect_size(revision.output.node_sizes.size(), revision.output.mesh.nodes.size(), kArray);
   revision.output.node_sizes.for_each([&](std::size_t, double size) {
@@ -207,16 +214,19 @@ void check_parts(const BoundaryParts& parts, const FeatureModel& model) {
   }
   if (std::ranges::find(bounds, 0) != bounds.end()) fail("edges of faces");
   for (const kernel::BrepEdge& edge : brep.edges) check_edge(edge, brep);
-  for (const kernel::BrepVertex& vertex : brep.vertices) expect_finite(is_finite(vertex.position));
-  for (const Vec3& p : brep.points) expect_finite(is_finite(p));
+  for (const kernel::BrepVertex& vertex : brep.vertices)
+    expect_finite(is_finite(vertex.position), "vertices");
+  for (const Vec3& p : brep.points) expect_finite(is_finite(p), "points");
   for (const BoundaryPiece& piece : parts.pieces) check_piece(piece, model);
-  expect_finite(is_finite(brep.reference) && std::isfinite(brep.scale) && brep.scale > 0);
+  expect_finite(is_finite(brep.reference) && std::isfinite(brep.scale) && brep.scale > 0,
+                "reference point");
 }
 
 void check_indices(const Revision& revision) {
-  expect_finite(std::isfinite(revision.edge_length) && revision.edge_length > 0);
+  expect_finite(std::isfinite(revision.edge_length) && revision.edge_length > 0, "edge length");
   for (const Transform& transform : revision.output.map.transforms)
-    for (const double number : transform.m) expect_finite(std::isfinite(number));
+    for (const double number : transform.m)
+      expect_finite(std::isfinite(number), "delivery.transforms");
   check_delivery(revision.output);
   check_sizes(revision);
   check_mids(revision.output);

@@ -148,6 +148,12 @@ TEST(Image, NoIndexIntoTheBoundaryBeyondItIsLetPass) {
   EXPECT_NE(fault([&](BoundaryParts& p) { p.pieces[0].surface.kind = Surface::Kind{9}; }), "");
 }
 
+TEST(Image, AGroupOfFacetsWithoutAFaceIsAnError) {
+  Revision revision = first();
+  revision.output.groups.facet_groups.front().clear();
+  EXPECT_THROW(revision_of(test::copied(image_of(revision)), nullptr, kRun), Error);
+}
+
 TEST(Image, NodesNowhereAreAnError) {
   const StoredArrays whole = test::copied(image_of(first()));
   for (const char* name : {"delivery.nodes", "delaunay.points"})
