@@ -14,15 +14,15 @@ struct CarryLimits {
 constexpr CarryLimits kCarry;
 
 /// Where p goes with its surfaces: the point on all of them now that is found by Newton steps from
-/// p, each the shortest that leads onto their tangent planes.
-Vec3 carried(const Vec3& p, std::span<const FeatureSurfaces::Ref> on, const FacesOfModel& now,
-             double rest) {
+/// p, each the shortest that leads onto their tangent planes. `on` is in the model `then`.
+Vec3 carried(const Vec3& p, std::span<const FeatureSurfaces::Ref> on, const FacesOfModel& then,
+             const FacesOfModel& now, double rest) {
   Vec3 at = p;
   std::vector<SurfaceMotion> back;
   for (int step = 0; step < kCarry.steps; ++step) {
     back.clear();
     for (const auto& ref : on)
-      if (const Surface* surface = now.find(ref))
+      if (const Surface* surface = now.find(ref, then))
         back.push_back({normal(*surface, at), -signed_distance(*surface, at)});
     const Vec3 by = common_motion(back).motion.required;
     at += by;
@@ -37,9 +37,9 @@ std::optional<BoundaryMatch> match_carried(const BoundaryModel& from, const Feat
                                            const BoundaryModel& to, const FeatureModel& now,
                                            double reach) {
   const FeatureSurfaces surfaces(from, then);
-  const FacesOfModel faces(now);
+  const FacesOfModel before(then), after(now);
   return match_boundaries(from, to, reach, [&](const Support& support, const Vec3& p) {
-    return carried(p, surfaces.at(support), faces, kCarry.at_rest * reach);
+    return carried(p, surfaces.at(support), before, after, kCarry.at_rest * reach);
   });
 }
 

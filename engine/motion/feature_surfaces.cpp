@@ -16,7 +16,7 @@ bool lies_on(const Surface& surface, std::span<const Vec3> points, double tolera
       points, [&](const Vec3& p) { return std::fabs(signed_distance(surface, p)) <= tolerance; });
 }
 
-/// Whether a solid has points nearer than `near` to p.
+/// Whether a solid holds p or one of 26 points round it, up to `near` away along each axis.
 bool touches(const Solid& solid, const Vec3& p, double near) {
   if (!solid.bounds().contains(p, near)) return false;
   for (const double x : {-near, 0.0, near})

@@ -56,7 +56,7 @@ struct FollowingMotion {
 /// How a surface moves at one of its points.
 struct SurfaceMotion {
   Vec3 normal;       ///< unit
-  double speed = 0;  ///< along the normal; length per unit of the parameter
+  double speed = 0;  ///< along the normal: length per unit of the parameter, or a displacement
 };
 
 /// What a node does that stays on several moving surfaces.

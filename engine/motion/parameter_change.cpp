@@ -5,7 +5,7 @@
 
 #include "engine/base/error.h"
 #include "engine/model/expression.h"
-#include "engine/model/solid.h"
+#include "engine/model/feature_types.h"
 
 namespace remeshd {
 namespace {
@@ -46,13 +46,6 @@ FeatureModel evaluated_with(const ModelSource& source, const Name& name, double 
   return evaluate(apply(source, {{edit}}));
 }
 
-double size_of(const FeatureModel& model) {
-  Box box;
-  for (const Feature& feature : model.features)
-    if (feature.nature == Nature::Additive) box.add(world_bounds(feature));
-  return box.diagonal();
-}
-
 }  // namespace
 
 double parameter_value(const ModelSource& source, const std::string& parameter) {
@@ -67,13 +60,12 @@ double parameter_value(const ModelSource& source, const std::string& parameter) 
   if (found == source.features.end()) throw error::unknown_feature(feature);
   if (name == "profile") throw error::wrong_value_kind(feature, name, "one number");
   const auto value = found->parameters.find(name);
-  if (value == found->parameters.end()) {
-    std::string known;
-    for (const auto& [other, unused] : found->parameters)
-      known += (known.empty() ? "" : ", ") + other;
-    throw error::unknown_parameter(feature, name, known);
-  }
-  return scope.value(value->second, feature, name);
+  if (value != found->parameters.end()) return scope.value(value->second, feature, name);
+  const FeatureTypeInfo* type = find_feature_type(found->type);
+  const ParameterInfo* left_out = type != nullptr ? find_parameter(*type, name) : nullptr;
+  if (left_out == nullptr || left_out->default_value.empty())
+    throw error::unknown_parameter(feature, name, type != nullptr ? list_parameters(*type) : "");
+  return scope.value(left_out->default_value, feature, name);
 }
 
 FeatureModel with_value(const ModelSource& source, const std::string& parameter, double value) {
@@ -88,7 +80,8 @@ ParameterChange change_of(const ModelSource& source, const std::string& paramete
     throw error::wrong_value_kind("", parameter, "a number that may change by little");
   const ModelSource free = unbound(source);
   const FeatureModel model = evaluate(free);
-  const double step = kStep.relative * std::max(std::fabs(value), kStep.least * size_of(model));
+  const double step =
+      kStep.relative * std::max(std::fabs(value), kStep.least * additive_bounds(model).diagonal());
   ParameterChange change{model, model, 0};
   for (const int side : {-1, 1}) {
     const double at = value + side * step;

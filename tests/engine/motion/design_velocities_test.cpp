@@ -9,6 +9,7 @@
 #include "engine/base/error.h"
 #include "engine/local_fuse/local_fuse.h"
 #include "engine/motion/carried_boundary.h"
+#include "engine/motion/parameter_change.h"
 #include "engine/remesh/remesh.h"
 #include "tests/support/cases.h"
 #include "tests/support/run.h"
@@ -212,6 +213,14 @@ TEST(DesignVelocities, OfAGroupsRimFollowWhatDrawsIt) {
     EXPECT_NEAR(v.velocities[n].x, p.x > 0 ? 0.5 : -0.5, 1e-6);
   }
   EXPECT_GT(moved, 0U);
+}
+
+TEST(DesignVelocities, OfAParameterThatTheDocumentLeavesOutAreOfItsDefault) {
+  const ModelSource source = test::one_feature(test::feature(
+      "ring", "revolution",
+      {test::point(4.0, 0.0), test::point(6.0, 0.0), test::point(6.0, 3.0), test::point(4.0, 3.0)},
+      {}));
+  EXPECT_EQ(parameter_value(source, "ring.angle"), 360);
 }
 
 TEST(DesignVelocities, NameWhatIsNoParameter) {

@@ -106,6 +106,23 @@ TEST_F(Hold, FollowsTheRimOfAGroup) {
   EXPECT_GT(connectivity_horizon(base, "pad.dx", 1, kRun).upper, 8 + base.edge_length);
 }
 
+TEST_F(Hold, FollowsFacesOfAFeatureThatGetsOneMore) {
+  // A cone's lower end is a point or a disc, inside of the block either way.
+  const auto source = [](double radius) {
+    return test::model_of(
+        {test::block("block", 20, 20, 10),
+         test::placed(
+             test::feature("tip", "cone",
+                           {{"radius_bottom", radius}, {"radius_top", 4.0}, {"height", 10.0}}),
+             0, 0, 5)});
+  };
+  const Revision base =
+      make_revision(Revision::none(), source(0), {.nodes = 1500, .hold = 1}, kRun);
+  const Revision r = edit(base, source(0.1));
+  EXPECT_EQ(r.report.strategy, MeshStrategy::Morphed);
+  EXPECT_FALSE(has_ended(r));
+}
+
 TEST_F(Hold, IsLeftForOtherSizes) {
   ModelSource sized = source_;
   sized.sizes.push_back({"spot", BallSource{0.0, 0.0, 0.0, 8.0}, 0.3 * l_});
