@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "engine/cellular/boundary_model/face_part.h"
+#include "engine/model/selection/selected_material.h"
 #include "engine/model/selection/selection_error.h"
 #include "engine/model/solid.h"
 #include "engine/revision/group_figures.h"
@@ -20,8 +21,6 @@ struct GroupLimits {
   // Relative: how far areas are apart that are the same but for rounding, or for the quadrature of
   // conditions.
   double rounding = 1e-6, quadrature = 5e-4;
-  /// Points along each side of a feature's box at which its material is looked for.
-  int material_steps = 24;
 };
 constexpr GroupLimits kGroupLimits;
 
@@ -56,28 +55,6 @@ double area_on(const BoundaryFace& face, const FaceGroup& group, const Run& run)
     return held;
   };
   return area_where(face, holds, run);
-}
-
-/// Whether a part of a selector names a whole feature and finds material of it in the model.
-bool has_material(const SelectedFaces& on, const FeatureModel& model, const Membership& membership,
-                  const Run& run) {
-  if (!on.whole || model.features[on.feature].nature != Nature::Additive) return false;
-  std::optional<ConditionTest> holds;
-  if (!on.condition.text.empty()) holds.emplace(on.condition);
-  const Box& box = membership.solids()[on.feature].bounds();
-  const int steps = kGroupLimits.material_steps;
-  const Vec3 step = (box.hi - box.lo) / steps;
-  for (int k = 0; k < steps; ++k) {
-    run.poll();
-    for (int j = 0; j < steps; ++j)
-      for (int i = 0; i < steps; ++i) {
-        const Vec3 p = box.lo + Vec3{(i + 0.5) * step.x, (j + 0.5) * step.y, (k + 0.5) * step.z};
-        if (membership.contains(on.feature, p) && membership.inside(p) &&
-            (!holds || (*holds)(p, {})))
-          return true;
-      }
-  }
-  return false;
 }
 
 const GroupFigures* find_group(std::span<const GroupFigures> figures, const std::string& group) {

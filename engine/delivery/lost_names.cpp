@@ -202,8 +202,8 @@ std::vector<Warning> losses(const Revision& original, const FeatureModel& model,
   return warnings;
 }
 
-/// Appends the size controls whose selectors name no face of the boundary, but for those that named
-/// none in the original.
+/// Appends the size controls whose selectors name nothing, neither of the boundary nor material,
+/// but for those that named nothing in the original.
 void add_emptied_sizes(const Revision& original, const FeatureModel& model,
                        const BoundaryModel& boundary, const Run& run,
                        std::vector<Warning>& warnings) {
@@ -211,9 +211,10 @@ void add_emptied_sizes(const Revision& original, const FeatureModel& model,
   const auto before = sizes_of_nothing(original.model, original.cells.boundary, run);
   for (const std::string& size : sizes_of_nothing(model, boundary, run))
     if (std::ranges::find(before, size) == before.end())
-      warnings.push_back({.code = WarningCode::GroupEmptied,
-                          .message = "the size " + size + " selects no face of the boundary",
-                          .groups = {size}});
+      warnings.push_back(
+          {.code = WarningCode::GroupEmptied,
+           .message = "the size " + size + " selects no face of the boundary, nor material",
+           .groups = {size}});
 }
 
 /// Appends the groups of the model that select nothing, but for those that did so in the original.

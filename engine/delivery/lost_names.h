@@ -9,8 +9,9 @@ namespace remeshd {
 
 /// Warnings of what a client would look for in vain in a mesh: faces and groups of facets that the
 /// original's mesh names and this one does not, features that neither add nor remove anything,
-/// groups of the model that select nothing, and size controls whose selectors name nothing. Found
-/// by names and bounding boxes alone.
+/// groups of the model that select nothing, and size controls whose selectors name nothing. Faces,
+/// groups of facets and features are found by names and bounding boxes alone; groups of the model
+/// and size controls by what they select.
 ///
 /// Each lost face of a feature that is still there has its own warning; those of a removed feature
 /// have one together. A feature that has lost its effect is told beside its faces. What was without

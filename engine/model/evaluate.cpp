@@ -17,9 +17,10 @@ namespace {
 Vec3 evaluate_reference(const FeatureSource& source, const Shape& shape, const Scope& scope) {
   if (const auto* point = std::get_if<std::array<Scalar, 3>>(&source.reference)) {
     std::array<double, 3> v{};
-    for (std::size_t k = 0; k < 3; ++k)
-      v[k] = checked_coordinate(scope.value((*point)[k], source.id, "referencePoint"), source.id,
-                                "referencePoint");
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::string place = "referencePoint[" + std::to_string(k) + "]";
+      v[k] = checked_coordinate(scope.value((*point)[k], source.id, place), source.id, place);
+    }
     return {v[0], v[1], v[2]};
   }
   if (std::get<ReferenceKind>(source.reference) == ReferenceKind::Origin) return {};

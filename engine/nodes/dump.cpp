@@ -2,6 +2,8 @@
 
 #include <filesystem>
 #include <fstream>
+#include <string>
+#include <system_error>
 
 #include "engine/base/error.h"
 
@@ -22,6 +24,13 @@ void array(std::ostream& out, const char* type, const char* name, int components
   out << "</DataArray>\n";
 }
 
+/// Opens a file in the run's folder; where that fails, `finish` throws.
+std::ofstream opened(const Run& run, const std::string& file) {
+  std::error_code ignored;
+  std::filesystem::create_directories(run.dumps, ignored);
+  return std::ofstream(run.dumps / file);
+}
+
 void finish(std::ofstream& out, const Run& run) {
   out.close();
   if (!out) throw error::internal("dump", "a dump could not be written to " + run.dumps.string());
@@ -32,8 +41,7 @@ void finish(std::ofstream& out, const Run& run) {
 void dump_nodes(const Run& run, std::string_view name, const NodeSet& nodes, const SizeField& sizes,
                 std::span<const Tet> tets) {
   if (run.dumps.empty()) return;
-  std::filesystem::create_directories(run.dumps);
-  std::ofstream out(run.dumps / (std::string(name) + ".vtu"));
+  std::ofstream out = opened(run, std::string(name) + ".vtu");
   out.precision(17);
   const std::size_t count = nodes.positions.size();
   const bool points = tets.empty();
@@ -67,8 +75,7 @@ void dump_nodes(const Run& run, std::string_view name, const NodeSet& nodes, con
 
 void dump_text(const Run& run, std::string_view name, const std::function<std::string()>& text) {
   if (run.dumps.empty()) return;
-  std::filesystem::create_directories(run.dumps);
-  std::ofstream out(run.dumps / (std::string(name) + ".txt"));
+  std::ofstream out = opened(run, std::string(name) + ".txt");
   out << text();
   finish(out, run);
 }

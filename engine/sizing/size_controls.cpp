@@ -9,6 +9,7 @@
 
 #include "engine/base/error.h"
 #include "engine/cellular/boundary_model/face_part.h"
+#include "engine/model/selection/selected_material.h"
 #include "engine/model/solid.h"
 #include "engine/sizing/reserve.h"
 
@@ -34,7 +35,8 @@ std::vector<const SizedFaces*> selected_on(const BoundaryFace& face, const Selec
     const auto of_feature = std::ranges::equal_range(
         selected, name.feature, {}, [](const SizedFaces& sized) { return sized.on.feature; });
     for (const SizedFaces& sized : of_feature)
-      if (std::ranges::find(sized.on.faces, name.face) != sized.on.faces.end())
+      if (std::ranges::find(sized.on.faces, name.face) != sized.on.faces.end() &&
+          std::ranges::find(found, &sized) == found.end())
         found.push_back(&sized);
   }
   return found;
@@ -249,7 +251,6 @@ std::vector<std::string> sizes_of_nothing(const FeatureModel& model, const Bound
   std::vector<std::string> ids;
   if (model.sizes.empty()) return ids;
   const Membership membership(model);
-  const MaterialCover material(model, membership, run);
   for (const SizeControl& control : model.sizes) {
     const auto* selected = std::get_if<Selected>(&control.place);
     if (selected == nullptr) continue;
@@ -258,9 +259,11 @@ std::vector<std::string> sizes_of_nothing(const FeatureModel& model, const Bound
         return !is_conditional(*sized) || !part_of(face, *sized, membership, run).empty();
       });
     };
-    const auto has_material = [&](const SizedFaces& s) { return !material.of(s).empty(); };
+    const auto finds_material = [&](const SizedFaces& sized) {
+      return has_material(sized.on, model, membership, run);
+    };
     if (std::ranges::none_of(boundary.faces, names) &&
-        std::ranges::none_of(*selected, has_material))
+        std::ranges::none_of(*selected, finds_material))
       ids.push_back(control.id);
   }
   return ids;

@@ -11,10 +11,11 @@
 namespace remeshd {
 
 /// What the size controls of a model ask for. They give a source for each face of the boundary that
-/// is named as a whole, with the least length where several controls name it; for each triangle of
-/// the part of a face where a condition holds; for each ball or box; and for each of the balls that
-/// cover the material of a feature. What they ask for is shorter than what the controls do, by
-/// `kReserveOnFaces` and `kReserveInside`.
+/// is named as a whole, with the least length where several controls name it, or for each of its
+/// triangles where it is plane and no rectangle along the axes; for each triangle of the part of a
+/// face where a condition holds, or that is of one of several flush features; for each ball or box;
+/// and for each of the balls that cover the material of a feature. What they ask for is shorter
+/// than what the controls do, by `kReserveOnFaces` and `kReserveInside`.
 std::vector<SizeSource> size_sources(const FeatureModel& model, const BoundaryModel& boundary,
                                      const Run& run);
 

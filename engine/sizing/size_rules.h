@@ -88,7 +88,7 @@ class SizeRules {
   /// Model edges from `step` to `most` long, but for closed ones.
   static std::vector<Detail> short_edges_of(const BoundaryModel& boundary, double step,
                                             double most);
-  /// Adds narrow faces up to `layers` x `most` wide, but for those so narrow beside `layers` x
+  /// Adds narrow faces up to `across_` x `most` wide, but for those so narrow beside `across_` x
   /// `least` that edges across would not make better tets.
   void add_narrow_faces(const BoundaryModel& boundary, double most, double least, const Run& run);
   /// What is asked for across a thin place.

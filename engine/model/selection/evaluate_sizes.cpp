@@ -12,9 +12,10 @@
 namespace remeshd {
 namespace {
 
-double checked_length(double value, const std::string& parameter) {
+/// `feature`: whose parameters the value was computed from; empty: none.
+double checked_length(double value, const std::string& feature, const std::string& parameter) {
   if (value < kMinSize || value > kMaxLength)
-    throw error::value_out_of_range("", parameter, value, "between 1e-9 and 1e9");
+    throw error::value_out_of_range(feature, parameter, value, "between 1e-9 and 1e9");
   return value;
 }
 
@@ -47,7 +48,7 @@ class Sizes {
  private:
   [[nodiscard]] double length(const Scalar& value, const std::string& field) const {
     const std::string parameter = where_ + field;
-    return checked_length(scope_.value(value, "", parameter), parameter);
+    return checked_length(scope_.value(value, "", parameter), "", parameter);
   }
   [[nodiscard]] double coordinate(const Scalar& value, const std::string& field) const {
     const std::string parameter = where_ + field;
@@ -90,7 +91,7 @@ class Sizes {
   [[nodiscard]] double length_on(const FeatureSource& feature, const Scalar& size) const {
     const std::string parameter = where_ + ".size";
     return checked_length(scope_.value(size, numbers_of(feature, scope_), feature.id, parameter),
-                          parameter);
+                          feature.id, parameter);
   }
 
   const ModelSource& source_;

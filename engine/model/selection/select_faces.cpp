@@ -1,6 +1,9 @@
 #include "engine/model/selection/select_faces.h"
 
 #include <algorithm>
+#include <iterator>
+#include <set>
+#include <string_view>
 
 #include "engine/base/error.h"
 #include "engine/model/expression.h"
@@ -10,13 +13,23 @@
 namespace remeshd {
 namespace {
 
-/// The faces of a feature that a term names, each once.
-std::vector<std::string> named_by(const SelectorTerm& term, const Feature& feature) {
+/// The names of a feature's faces, each once.
+std::vector<std::string> face_names(const Feature& feature) {
   std::vector<std::string> names;
-  for (const SolidFace& face : faces_of(feature))
-    if (term.names(feature.id, face.name) && std::ranges::find(names, face.name) == names.end())
-      names.push_back(face.name);
+  std::set<std::string_view> seen;
+  const std::vector<SolidFace> faces = faces_of(feature);
+  for (const SolidFace& face : faces)
+    if (seen.insert(face.name).second) names.push_back(face.name);
   return names;
+}
+
+/// Those of the names, of faces of a feature, that a term selects.
+std::vector<std::string> selected_by(const SelectorTerm& term, const std::string& feature,
+                                     const std::vector<std::string>& names) {
+  std::vector<std::string> selected;
+  std::ranges::copy_if(names, std::back_inserter(selected),
+                       [&](const std::string& name) { return term.names(feature, name); });
+  return selected;
 }
 
 }  // namespace
@@ -45,15 +58,16 @@ std::vector<SelectedFaces> select_faces(std::string_view selector, const ModelSo
     SelectedFaces everywhere{
         .feature = static_cast<int>(k), .faces = {}, .whole = false, .condition = {}};
     std::vector<SelectedFaces> conditional;
+    const std::vector<std::string> all = face_names(features[k]);
+    std::set<std::string> named_everywhere;
     for (const SelectorTerm& term : terms) {
-      std::vector<std::string> names = named_by(term, features[k]);
+      std::vector<std::string> names = selected_by(term, features[k].id, all);
       if (names.empty()) continue;
       const bool whole = term.names(features[k].id);
       if (term.condition.empty()) {
         everywhere.whole |= whole;
         for (std::string& name : names)
-          if (std::ranges::find(everywhere.faces, name) == everywhere.faces.end())
-            everywhere.faces.push_back(std::move(name));
+          if (named_everywhere.insert(name).second) everywhere.faces.push_back(std::move(name));
         continue;
       }
       if (++cost.conditions > kSelectorLimits.conditions)

@@ -5,18 +5,10 @@
 #include <string>
 #include <utility>
 
+#include "engine/base/text/clip.h"
+
 namespace remeshd::error {
 namespace {
-
-constexpr std::size_t kLongest = 120;  // bytes that an error quotes of a client's text
-
-std::string quoted(std::string_view text) {
-  if (text.size() <= kLongest) return "'" + std::string(text) + "'";
-  std::size_t end = kLongest;
-  // Never cut through a UTF-8 sequence.
-  while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0) == 0x80) --end;
-  return "'" + std::string(text.substr(0, end)) + "...'";
-}
 
 Error selection_error(std::string reason, std::string parameter, std::string message,
                       std::string hint) {
@@ -28,12 +20,8 @@ Error selection_error(std::string reason, std::string parameter, std::string mes
                 .hint = std::move(hint)});
 }
 
-std::string place_of(std::string_view size) {
-  return "sizes." + std::string(size.substr(0, kLongest));
-}
-std::string place_of_group(std::string_view group) {
-  return "groups." + std::string(group.substr(0, kLongest));
-}
+std::string place_of(std::string_view size) { return "sizes." + clip(size); }
+std::string place_of_group(std::string_view group) { return "groups." + clip(group); }
 
 Error policy_broken(std::string_view group, std::string_view field, std::string_view what) {
   Error broken = selection_error("POLICY_BROKEN", place_of_group(group) + std::string(field),

@@ -100,6 +100,7 @@ std::vector<Vec3> fill_lattice(const std::vector<Box>& boxes, const InsideTest& 
   // Two nodes to a cube of the lattice.
   if (!options.count)
     return nodes_inside(Lattice(std::cbrt(2 / options.density), options.seed), boxes, inside, run);
+  if (*options.count == 0) return {};
   const double count = *options.count;
   double constant = options.edge_length;
   std::vector<Vec3> nodes;

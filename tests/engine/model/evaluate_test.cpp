@@ -275,11 +275,11 @@ TEST(Reference, APointIsTakenAsGivenAndChecked) {
   f.reference = std::array<Scalar, 3>{1.0, "2*3", -4.0};
   EXPECT_EQ(evaluated(f).reference, (Vec3{1, 6, -4}));
   f.reference = std::array<Scalar, 3>{1.0, "2*q", -4.0};
-  EXPECT_EQ(failure_of(f), "UNKNOWN_NAME plate referencePoint");
+  EXPECT_EQ(failure_of(f), "UNKNOWN_NAME plate referencePoint[1]");
   f.reference = std::array<Scalar, 3>{1.0, kNaN, -4.0};
-  EXPECT_EQ(failure_of(f), "NON_FINITE_VALUE plate referencePoint");
+  EXPECT_EQ(failure_of(f), "NON_FINITE_VALUE plate referencePoint[1]");
   f.reference = std::array<Scalar, 3>{1.0, 2e9, -4.0};
-  EXPECT_EQ(failure_of(f), "VALUE_OUT_OF_RANGE plate referencePoint");
+  EXPECT_EQ(failure_of(f), "VALUE_OUT_OF_RANGE plate referencePoint[1]");
 }
 
 TEST(Reference, AlignmentCarriesTheRotation) {

@@ -55,6 +55,9 @@ TEST(Dump, SaysWhereItCannotWrite) {
   EXPECT_THROW(dump_nodes(dumping_to(folder.path()), "no-such-folder/05-nodes",
                           one_copied_and_one_new_node(), 2.5),
                Error);
+  std::ofstream(folder.path() / "file") << "no folder";
+  EXPECT_THROW(dump_text(dumping_to(folder.path() / "file"), "04-plan", [] { return "plan"; }),
+               Error);
 }
 
 }  // namespace

@@ -200,5 +200,17 @@ TEST(SizeControls, OnFacesThatAreNotThereAreOfNothing) {
   EXPECT_EQ(size_sources(plate.model, plate.cells.boundary, kRun).size(), 2U);
 }
 
+TEST(SizeControls, LongerThanAHollowFeatureAreOfItsMaterial) {
+  // The ring is inside of the block, and the middle of its box is not in the ring.
+  ModelSource source = test::model_of(
+      {test::block("block", 40, 40, 20),
+       test::placed(
+           test::feature("ring", "torus", {{"major_radius", 4.0}, {"minor_radius", 1.0}}), 0, 0,
+           10)});
+  source.sizes = {{"a", "ring", 12.0}};
+  const FeatureModel model = evaluate(source);
+  EXPECT_THAT(sizes_of_nothing(model, build_cells(model, kRun).boundary, kRun), IsEmpty());
+}
+
 }  // namespace
 }  // namespace remeshd

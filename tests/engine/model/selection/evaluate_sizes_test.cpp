@@ -108,7 +108,7 @@ TEST(Sizes, ThatAreWrongAreNamedWithTheirField) {
     EXPECT_EQ(refused("gone", size), "VALUE_OUT_OF_RANGE - sizes.a.size");
     EXPECT_EQ(refused(ball, size), "VALUE_OUT_OF_RANGE - sizes.a.size");
   }
-  EXPECT_EQ(refused("hole*", "4 - radius"), "VALUE_OUT_OF_RANGE - sizes.a.size");
+  EXPECT_EQ(refused("hole*", "4 - radius"), "VALUE_OUT_OF_RANGE hole1 sizes.a.size");
   EXPECT_EQ(refused("plate", "nope"), "UNKNOWN_NAME plate sizes.a.size");
   EXPECT_EQ(refused("plate | hole1", "dx"), "UNKNOWN_NAME hole1 sizes.a.size");
   EXPECT_EQ(refused("plate", "1/0"), "NON_FINITE_VALUE plate sizes.a.size");

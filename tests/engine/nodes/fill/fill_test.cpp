@@ -59,6 +59,13 @@ TEST_P(Filling, OverlappingBoxesAreFilledOnce) {
   EXPECT_EQ(once, twice);
 }
 
+TEST_P(Filling, ACountOfNoneGetsNothing) {
+  const auto everywhere = [](const Vec3&) { return true; };
+  EXPECT_TRUE(GetParam()({box({0, 0, 0}, {5, 5, 5})}, everywhere, {.edge_length = 1, .count = 0},
+                         kRun)
+                  .empty());
+}
+
 TEST_P(Filling, AnEmptyRegionGetsNothing) {
   const auto nowhere = [](const Vec3&) { return false; };
   const FillOptions options{.edge_length = 1, .density = 2};
