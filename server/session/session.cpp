@@ -137,8 +137,11 @@ ModelComparison Session::compare(const ComparisonSide& original, const Compariso
   const Side after = edit != nullptr
                          ? Side{nullptr, engine().evaluate_edited(before.at.source, *edit)}
                          : take(modified, "modified");
+  // A mesh may leave out motions next to nothing: its cells are not those of the document then.
   const auto cells = [](const Side& side) {
-    return side.revision ? &side.revision->revision.cells : nullptr;
+    return side.revision && same_geometry(side.revision->revision.model, side.at.model)
+               ? &side.revision->revision.cells
+               : nullptr;
   };
   return engine().compare(before.at.model, after.at.model, cells(before), cells(after), run);
 }

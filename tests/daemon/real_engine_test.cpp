@@ -336,5 +336,29 @@ TEST_F(RealEngine, ComparesAsThePapersFigureElevenShows) {
   EXPECT_FALSE(reply.method().empty());
 }
 
+TEST_F(RealEngine, ComparesWithMotionsThatAMeshLeavesOut) {
+  // A lug flush with the plate; lifted by next to nothing, the plate leaves a step that no tets
+  // fit into.
+  const v1::FeatureModel flush = parse_model(R"({"name": "lug", "features": [
+      {"id": "plate", "nature": "ADDITIVE", "type": "block",
+       "parameters": {"dx": 40, "dy": 40, "dz": 20}},
+      {"id": "lug", "nature": "ADDITIVE", "type": "block",
+       "parameters": {"dx": 30, "dy": 14, "dz": 20}, "placement": {"origin": [20, 0, 0]}}]})");
+  const auto base = create(create_request(flush, 600));
+  const auto lifted = edit(base.revision().id(), parse_edit(R"({"edits": [
+      {"setFeatureParameter": {"feature": "plate", "name": "dz", "value": 20.000004}},
+      {"setFeatureParameter": {"feature": "lug", "name": "dx", "value": 40}}]})"));
+  grpc::ClientContext context;
+  v1::CompareRequest request;
+  request.mutable_original()->set_revision(base.revision().id());
+  request.mutable_modified()->set_revision(lifted.revision().id());
+  v1::CompareResponse response;
+  const auto status = stub().Compare(&context, request, &response);
+  ASSERT_TRUE(status.ok()) << status.error_message();
+  // The exact volume is the document's, with the motion.
+  EXPECT_THAT(response.comparison().copycells() + response.comparison().newcells(),
+              DoubleNear(lifted.report().exact_volume(), 1e-4));
+}
+
 }  // namespace
 }  // namespace remeshd::test
