@@ -4,20 +4,10 @@
 #include <charconv>
 
 #include "engine/base/run.h"
+#include "engine/base/text/clip.h"
 
 namespace remeshd::error {
 namespace {
-
-/// Names and expressions come from clients and may be of any length; an error is read by people.
-std::string clip(std::string_view text, std::size_t limit = 120) {
-  if (text.size() <= limit) return std::string(text);
-  std::size_t end = limit;
-  // Never cut through a UTF-8 sequence.
-  while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0) == 0x80) --end;
-  return std::string(text.substr(0, end)) + "...";
-}
-
-std::string quoted(std::string_view text) { return "'" + clip(text) + "'"; }
 
 /// By default the fewest digits that read back to the same double, whatever the locale.
 template <class... Format>
@@ -300,6 +290,13 @@ Error kernel_failure(std::string_view what, const std::optional<Vec3>& place,
 Error tetgen_refused(std::string_view why) {
   return refused("TETGEN_REFUSED", "control mesh",
                  "TetGen refuses the model's surface: " + std::string(why), kNearlyCoincide);
+}
+
+Error surface_too_fine(std::size_t facets) {
+  return refused(
+      "TETGEN_REFUSED", "surface mesh",
+      "the surface mesh for TetGen would need more than " + std::to_string(facets) + " facets",
+      "ask for longer edges");
 }
 
 Error tetgen_crashed(std::string_view how) {

@@ -140,6 +140,8 @@ Error kernel_failure(std::string_view what, const std::optional<Vec3>& place = {
 
 /// TetGen does not accept the surface, or gives no usable mesh of it; `why`: a clause.
 Error tetgen_refused(std::string_view why);
+/// `TETGEN_REFUSED` too: TetGen was not asked.
+Error surface_too_fine(std::size_t facets);
 /// TetGen ended without a usable answer; `how`: a clause.
 Error tetgen_crashed(std::string_view how);
 Error tetgen_too_slow(double seconds);

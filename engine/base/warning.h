@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -59,5 +60,13 @@ struct Warning {
   std::optional<Vec3> point;          ///< model's unit
   std::uint32_t nodes_needed = 0;  ///< with DetailNotResolved: to resolve all details; 0: unknown
 };
+
+/// `pin`, `pin and 1 more feature`, `pin and 3 more features`. Pre: there is one.
+inline std::string first_and_more(const std::vector<std::string>& features) {
+  const std::size_t more = features.size() - 1;
+  if (more == 0) return features.front();
+  return features.front() + " and " + std::to_string(more) +
+         (more == 1 ? " more feature" : " more features");
+}
 
 }  // namespace remeshd

@@ -88,9 +88,7 @@ void remesh(SurfaceRemesher& remesher, int rounds, double least, std::size_t mos
     remesher.flip();
     remesher.compact();
     heed_thin_faces(remesher, least);
-    if (remesher.mesh().facets.size() > most_facets)
-      throw error::tetgen_refused("the surface would need more than " +
-                                  std::to_string(most_facets) + " facets");
+    if (remesher.mesh().facets.size() > most_facets) throw error::surface_too_fine(most_facets);
   }
 }
 

@@ -153,6 +153,8 @@ std::vector<SurfaceRemesher::Job> SurfaceRemesher::sides_beyond(double limit, bo
   return jobs;
 }
 
+void SurfaceRemesher::split_long() { split_long(kRemesh.most); }
+
 void SurfaceRemesher::split_long(double limit) {
   std::priority_queue<Job> jobs({}, sides_beyond(limit, true));
   Polling poll(run_);

@@ -35,8 +35,10 @@ class SurfaceRemesher {
   /// of their distance (gradation; by Dijkstra's algorithm).
   void grade();
 
-  /// Splits sides that are longer than `limit` x the length asked for, the longest first.
-  void split_long(double limit = 4.0 / 3);
+  /// Splits sides that are longer than `limit` x the length asked for, by default 4/3, the longest
+  /// first.
+  void split_long(double limit);
+  void split_long();
   /// Collapses sides that are shorter than 4/5 of the length asked for, the shortest first.
   void collapse_short();
   /// Flips sides within faces while that improves the worse of their two facets.

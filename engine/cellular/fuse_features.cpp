@@ -116,8 +116,10 @@ Fused fuse(const FeatureModel& model, const FuseFrame& frame, const FuseAttempt&
   return fused;
 }
 
-/// The feature's surface of this name that the face of the B-rep lies on.
-const Surface& surface_of(const Solid& solid, const std::string& name, const Brep& brep, int face) {
+/// The surface of this name, of the feature with this id and solid, that the face of the B-rep lies
+/// on.
+const Surface& surface_of(const Solid& solid, const std::string& id, const std::string& name,
+                          const Brep& brep, int face) {
   const SolidFace* best = nullptr;
   double nearest = HUGE_VAL;
   for (const SolidFace& candidate : solid.faces()) {
@@ -132,7 +134,7 @@ const Surface& surface_of(const Solid& solid, const std::string& name, const Bre
     }
   }
   if (best == nullptr || nearest > 100 * kernel_tolerance(brep))
-    throw error::kernel_failure("a face lies on no surface called " + name,
+    throw error::kernel_failure("a face lies on no surface " + id + "." + name,
                                 brep.edges[brep.faces[face].edges.front()].points.front());
   return best->surface;
 }
@@ -146,7 +148,6 @@ void fill_cells_and_faces(FusedFeatures& fused_features, const kernel::Fusion& f
     for (const kernel::Source& source : fusion.cells[c]) cell.owners.push_back(source.part);
     cell.positive = membership.nature(cell.owners.back()) == Nature::Additive;
     cell.volume = brep.cells[c].volume;
-    if (cell.positive) fused_features.volume += cell.volume;
     out.cells.push_back(std::move(cell));
   }
   const auto positive = [&](int cell) { return cell >= 0 && out.cells[cell].positive; };
@@ -163,7 +164,8 @@ void fill_cells_and_faces(FusedFeatures& fused_features, const kernel::Fusion& f
 
 /// Names and surface of every face of the B-rep, boundary or not.
 std::vector<BoundaryPiece> describe_faces(const CellComplex& model, const Fused& fused,
-                                          const Membership& membership) {
+                                          const Membership& membership,
+                                          const std::vector<Feature>& features) {
   const Brep& brep = fused.fusion.brep;
   std::vector<BoundaryPiece> pieces(brep.faces.size());
   for (int f = 0; f < static_cast<int>(brep.faces.size()); ++f) {
@@ -182,7 +184,8 @@ std::vector<BoundaryPiece> describe_faces(const CellComplex& model, const Fused&
     }
     const FaceName& first =
         piece.material_names.empty() ? piece.other_names.front() : piece.material_names.front();
-    piece.surface = surface_of(membership.solids()[first.feature], first.face, brep, f);
+    piece.surface = surface_of(membership.solids()[first.feature], features[first.feature].id,
+                               first.face, brep, f);
   }
   return pieces;
 }
@@ -205,7 +208,7 @@ void fuse_features(const FeatureModel& model, const Membership& membership, cons
       fill_cells_and_faces(out, fused.fusion, membership);
       check_cells(out.cells, fused.fusion.brep, model, membership);
       run.poll();
-      out.pieces = describe_faces(out.cells, fused, membership);
+      out.pieces = describe_faces(out.cells, fused, membership, model.features);
       out.cells.brep = std::make_shared<const Brep>(std::move(fused.fusion.brep));
       return use(std::move(out));
     } catch (Error& failure) {

@@ -20,7 +20,6 @@ struct FuseFrame {
 /// A general fuse of features, checked against their closed formulas.
 struct FusedFeatures {
   CellComplex cells;                  ///< without edges and vertices
-  double volume = 0;                  ///< of all positive cells, exact
   std::vector<BoundaryPiece> pieces;  ///< one for each face
 };
 

@@ -2,6 +2,8 @@
 
 #include <array>
 #include <cmath>
+#include <cstdio>
+#include <string>
 #include <string_view>
 
 #include "engine/base/error.h"
@@ -60,8 +62,9 @@ bool same(double a, double b) { return std::fabs(a - b) <= tolerance::kSameMeasu
 /// Throws Error(KERNEL_FAILURE).
 void check_content(const kernel::StepContent& content, const CellularModel& cells) {
   const auto refuse = [](const char* what, double got, double expected) {
-    return error::kernel_failure("the STEP file reads back with " + std::string(what) + " " +
-                                 std::to_string(got) + ", not " + std::to_string(expected));
+    std::array<char, 100> text{};
+    std::snprintf(text.data(), text.size(), "%s %.9g, not %.9g", what, got, expected);
+    return error::kernel_failure("the STEP file reads back with " + std::string(text.data()));
   };
   if (content.solids != 1) throw refuse("solids", content.solids, 1);
   if (!same(content.volume, cells.volume)) throw refuse("volume", content.volume, cells.volume);

@@ -34,7 +34,7 @@ CowVector<std::uint64_t> permanent_ids(const CowVector<std::int32_t>& originals,
 
 /// Tets that were not remade and meet no changed box are in the cells that they were in.
 CellsBefore cells_before(const Revision& revision, const Revision& original,
-                         std::span<const std::int32_t> remade, const CopyPlan& source,
+                         std::span<const std::int32_t> remade, const CopyPlan& plan,
                          const Run& run) {
   const PagedMesh& mesh = revision.output.mesh;
   CellsBefore before{&original.output.groups, {}};
@@ -46,10 +46,10 @@ CellsBefore cells_before(const Revision& revision, const Revision& original,
       mesh.tets.pages(), kBlockPages, run, [&](std::size_t begin, std::size_t end, auto& found) {
         run.poll();
         for (std::size_t page = begin; page < end; ++page) {
-          if (!source.meets_changed(revision.boxes[page])) continue;
+          if (!plan.meets_changed(revision.boxes[page])) continue;
           auto k = static_cast<std::int32_t>(page * mesh.tets.kPage);
           for (const Tet& t : mesh.tets.page(page)) {
-            if (source.meets_changed(t, mesh.nodes)) found.push_back(k);
+            if (plan.meets_changed(t, mesh.nodes)) found.push_back(k);
             ++k;
           }
         }

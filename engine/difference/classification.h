@@ -23,8 +23,8 @@ enum class DifferenceClass : std::uint8_t {
   NewNo,         ///< `.-`, `.n`
   OldYes,        ///< `+.`, `b.`
   OldNo,         ///< `-.`, `n.`
-  /// An element that arises only where original geometry crosses modified geometry; in neither
-  /// model, in no table, never used.
+  /// No class: of an element that arises only where original geometry crosses modified geometry,
+  /// in neither model, or of a point off the feature. In no table; reports leave it out.
   Artefact,
 };
 inline constexpr std::size_t kDifferenceClasses = 9;

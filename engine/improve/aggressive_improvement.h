@@ -56,7 +56,8 @@ class AggressiveImprovement {
   /// tets share a segment of a model edge, say, and what one gains the other loses.
   bool perturb_and_optimise(std::int32_t t);
 
-  /// The tets that the last operation that returned true changed or may have changed.
+  /// The tets that the last operation that returned true changed or may have changed, but for those
+  /// at corners beyond the neighbourhood, which its compass search may move.
   [[nodiscard]] const std::vector<std::int32_t>& touched() const { return touched_; }
 
  private:

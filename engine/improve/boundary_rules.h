@@ -20,7 +20,6 @@ class BoundaryRules {
   BoundaryRules(const BoundaryModel& boundary, std::span<const Support> supports,
                 const LocalMesh& mesh, double chord_tolerance);
 
-  [[nodiscard]] const Support& support(std::int32_t node) const { return supports_[node]; }
   [[nodiscard]] bool interior(std::int32_t node) const {
     return supports_[node].kind == Support::Kind::Interior;
   }

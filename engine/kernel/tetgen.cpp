@@ -206,8 +206,8 @@ QualityMesh run_tetgen(const MarkedSurface& marked, const TetGenQuality& quality
   QualityMesh out = ask(request, limits, run);
   const std::size_t before = marked.surface.points.size();
   if (quality.most_added > 0 && out.filling.mesh.nodes.size() >= before + quality.most_added)
-    throw error::tetgen_refused("the mesh would need more than " +
-                                std::to_string(quality.most_added) + " nodes inside");
+    throw error::tetgen_refused("the mesh needs " + std::to_string(quality.most_added) +
+                                " nodes or more beside those of the surface");
   out.filling.regions = find_regions(out);
   return out;
 }

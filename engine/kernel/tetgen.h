@@ -40,8 +40,9 @@ struct TetGenQuality {
   /// Volume of a tet, model's unit cubed, at most. 0: neither this nor `radius_edge` counts, and
   /// points are added only where the surface cannot be recovered without them.
   double max_volume = 0;
-  bool split_surface = true;     ///< whether points may be added on the surface
-  std::uint32_t most_added = 0;  ///< points; a mesh that would need more is refused. 0: no bound
+  bool split_surface = true;  ///< whether points may be added on the surface
+  /// Points; a mesh that takes so many is refused: TetGen stops there without a word. 0: no bound.
+  std::uint32_t most_added = 0;
 };
 
 /// A quality mesh. Its first points are those of the surface, in their order, if all of these are
@@ -76,7 +77,7 @@ TetGenMesh run_tetgen(const TetGenSurface& surface, const TetGenLimits& limits, 
 /// of them. Where the surface has to stay as it is (Y) TetGen aborts on some:
 /// Error(TETGEN_CRASHED).
 ///
-/// Post: all indices are in range. Throws what run_tetgen throws.
+/// Post: all indices are in range. Throws what the one above throws.
 QualityMesh run_tetgen(const MarkedSurface& marked, const TetGenQuality& quality,
                        const TetGenLimits& limits, const Run& run);
 

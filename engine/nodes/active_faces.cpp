@@ -15,9 +15,9 @@ constexpr double kSpacing = 0.5;  // of the edge length
 /// they lie in `where`; `back` is the inverse of `motion`.
 class FaceVisitor {
  public:
-  FaceVisitor(CopiedNodes& nodes, const CopyPlan& source, const SizeField& sizes, const Run& run)
+  FaceVisitor(CopiedNodes& nodes, const CopyPlan& plan, const SizeField& sizes, const Run& run)
       : nodes_(nodes),
-        source_(source),
+        plan_(plan),
         grid_(nodes.positions, kGridCell * sizes.grid_length()),
         sizes_(sizes),
         run_(run) {}
@@ -28,7 +28,7 @@ class FaceVisitor {
     for (std::size_t b = 0; b < where.size(); ++b) {
       const Box overlap = intersection(bounds, where[b]);
       if (overlap.empty()) continue;
-      const Box reach = grown(overlap, source_.probe());
+      const Box reach = grown(overlap, plan_.probe());
       run_.poll();
       for (const SolidFace& face : solid.faces()) {
         Surface surface = face.surface;
@@ -50,15 +50,15 @@ class FaceVisitor {
 
  private:
   void look_at(const Solid& solid, const Transform& back, const Vec3& p, const Vec3& n) {
-    const Vec3 off = source_.probe() * n;
+    const Vec3 off = plan_.probe() * n;
     if (solid.contains(back.apply(p + off)) == solid.contains(back.apply(p - off))) return;
-    if (!source_.active_face(p, n)) return;
+    if (!plan_.active_face(p, n)) return;
     const std::int32_t node = grid_.nearest(p);
     if (node >= 0) nodes_.state[node] = NodeState::Free;
   }
 
   CopiedNodes& nodes_;
-  const CopyPlan& source_;
+  const CopyPlan& plan_;
   const NearestNode grid_;
   const SizeField& sizes_;
   const Run& run_;
@@ -66,29 +66,27 @@ class FaceVisitor {
 
 }  // namespace
 
-void free_at_active_faces(CopiedNodes& nodes, const CopyPlan& source, const SizeField& sizes,
+void free_at_active_faces(CopiedNodes& nodes, const CopyPlan& plan, const SizeField& sizes,
                           const Run& run) {
-  FaceVisitor visitor(nodes, source, sizes, run);
-  for (const Solid& solid : source.modified().solids())
-    visitor.visit(solid, {}, {}, source.changed());
-  for (std::size_t t = 0; t < source.transforms().size(); ++t) {
+  FaceVisitor visitor(nodes, plan, sizes, run);
+  for (const Solid& solid : plan.modified().solids()) visitor.visit(solid, {}, {}, plan.changed());
+  for (std::size_t t = 0; t < plan.transforms().size(); ++t) {
     // Copies made by this transformation end up within its features' new extent.
     std::vector<Box> where;
-    if (source.transforms()[t].is_identity()) {
-      where = source.changed();
+    if (plan.transforms()[t].is_identity()) {
+      where = plan.changed();
     } else {
-      for (const SourceFeature& s : source.sources())
+      for (const SourceFeature& s : plan.sources())
         if (s.transform == static_cast<std::int32_t>(t) && s.volume > 0)
-          where.push_back(source.modified().solids()[s.modified].bounds());
+          where.push_back(plan.modified().solids()[s.modified].bounds());
     }
-    for (std::size_t o = 0; o < source.original().solids().size(); ++o) {
+    for (std::size_t o = 0; o < plan.original().solids().size(); ++o) {
       const auto visited = [&](const SourceFeature& s) {  // above, as a solid of the modified model
         return s.same_shape && s.original == static_cast<int>(o) &&
                s.transform == static_cast<std::int32_t>(t);
       };
-      if (std::ranges::none_of(source.sources(), visited))
-        visitor.visit(source.original().solids()[o], source.transforms()[t], source.inverses()[t],
-                      where);
+      if (std::ranges::none_of(plan.sources(), visited))
+        visitor.visit(plan.original().solids()[o], plan.transforms()[t], plan.inverses()[t], where);
     }
   }
 }

@@ -12,7 +12,7 @@ namespace remeshd {
 /// Regularly spaced points on each free their nearest node.
 ///
 /// The points are half an edge length apart.
-void free_at_active_faces(CopiedNodes& nodes, const CopyPlan& source, const SizeField& sizes,
+void free_at_active_faces(CopiedNodes& nodes, const CopyPlan& plan, const SizeField& sizes,
                           const Run& run);
 
 }  // namespace remeshd

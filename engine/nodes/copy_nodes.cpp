@@ -28,9 +28,9 @@ Grouping<Tet> tets_at_nodes(const OriginalNodes& original) {
 }
 
 /// Transformations in the order in which their features copy.
-std::vector<std::int32_t> copying_order(const CopyPlan& source) {
+std::vector<std::int32_t> copying_order(const CopyPlan& plan) {
   std::vector<std::int32_t> order;
-  for (const SourceFeature& s : source.sources())
+  for (const SourceFeature& s : plan.sources())
     if (std::find(order.begin(), order.end(), s.transform) == order.end())
       order.push_back(s.transform);
   return order;
@@ -38,31 +38,30 @@ std::vector<std::int32_t> copying_order(const CopyPlan& source) {
 
 class Copier {
  public:
-  Copier(const CopyPlan& source, const OriginalNodes& original, const SizeField& sizes)
-      : source_(source),
+  Copier(const CopyPlan& plan, const OriginalNodes& original, const SizeField& sizes)
+      : plan_(plan),
         original_(original),
         sizes_(sizes),
         at_(tets_at_nodes(original)),
-        extent_(source.transforms().size()) {
-    for (const SourceFeature& s : source.sources())
-      extent_[s.transform].push_back(source.original().solids()[s.original].bounds());
+        extent_(plan.transforms().size()) {
+    for (const SourceFeature& s : plan.sources())
+      extent_[s.transform].push_back(plan.original().solids()[s.original].bounds());
   }
 
   /// Whether the node may belong to material that this transformation moves.
   [[nodiscard]] bool reached(std::int32_t n, std::int32_t t) const {
     return std::any_of(extent_[t].begin(), extent_[t].end(), [&](const Box& box) {
-      return box.contains(original_.positions[n], source_.probe());
+      return box.contains(original_.positions[n], plan_.probe());
     });
   }
 
   /// Whether this transformation copies the node, without setting it back.
   [[nodiscard]] bool is_copied(std::int32_t n, std::int32_t t) const {
-    const Transform& x = source_.transforms()[t];
+    const Transform& x = plan_.transforms()[t];
     const Vec3& q = original_.positions[n];
-    if (original_.supports[n].kind == Support::Kind::Interior) return source_(x.apply(q)) == t;
+    if (original_.supports[n].kind == Support::Kind::Interior) return plan_(x.apply(q)) == t;
     for (const Tet& tet : at_[n])
-      if (source_(x.apply(q + kCopyLimits.into_tet * (centroid(original_.positions, tet) - q))) ==
-          t)
+      if (plan_(x.apply(q + kCopyLimits.into_tet * (centroid(original_.positions, tet) - q))) == t)
         return true;
     return false;
   }
@@ -70,24 +69,24 @@ class Copier {
   /// Where the node is set back to if this transformation would move it outside but copies material
   /// of its tets; nothing where it does not, or the node is one of those left out for lost volume.
   [[nodiscard]] std::optional<Vec3> set_back(std::int32_t n, std::int32_t t) const {
-    const Transform& x = source_.transforms()[t];
+    const Transform& x = plan_.transforms()[t];
     const Vec3 p = x.apply(original_.positions[n]);
-    if (source_(p) != CopyPlan::kOutside) return std::nullopt;
+    if (plan_(p) != CopyPlan::kOutside) return std::nullopt;
     Vec3 middle{};
     int count = 0;
     for (const Tet& tet : at_[n]) {
       const Vec3 c = x.apply(centroid(original_.positions, tet));
-      if (source_(c) != t) continue;
+      if (plan_(c) != t) continue;
       middle += c;
       ++count;
     }
     if (count == 0) return std::nullopt;
     middle = middle / count;
-    if (source_(middle) != t) return std::nullopt;
+    if (plan_(middle) != t) return std::nullopt;
     double outside = 0, inside = 1;
     for (int k = 0; k < kCopyLimits.bisections; ++k) {
       const double half = 0.5 * (outside + inside);
-      (source_(p + half * (middle - p)) == t ? inside : outside) = half;
+      (plan_(p + half * (middle - p)) == t ? inside : outside) = half;
     }
     const Vec3 place = p + inside * (middle - p);
     const double lost =
@@ -98,7 +97,7 @@ class Copier {
   }
 
  private:
-  const CopyPlan& source_;
+  const CopyPlan& plan_;
   const OriginalNodes& original_;
   const SizeField& sizes_;
   const Grouping<Tet> at_;                ///< tets by node
@@ -107,11 +106,11 @@ class Copier {
 
 }  // namespace
 
-CopiedNodes copy_nodes(const CopyPlan& source, const OriginalNodes& original,
-                       const SizeField& sizes, const Run& run) {
+CopiedNodes copy_nodes(const CopyPlan& plan, const OriginalNodes& original, const SizeField& sizes,
+                       const Run& run) {
   CopiedNodes nodes;
-  const Copier copier(source, original, sizes);
-  const std::vector<std::int32_t> order = copying_order(source);
+  const Copier copier(plan, original, sizes);
+  const std::vector<std::int32_t> order = copying_order(plan);
   const auto add = [&](std::int32_t n, std::int32_t t, const Vec3& place, bool free) {
     nodes.add(place, original.supports[n], free ? NodeState::Free : NodeState::Fixed, n, t);
   };
@@ -122,7 +121,7 @@ CopiedNodes copy_nodes(const CopyPlan& source, const OriginalNodes& original,
     for (const std::int32_t t : order) {
       copied = copier.reached(n, t) && copier.is_copied(n, t);
       if (!copied) continue;
-      add(n, t, source.transforms()[t].apply(original.positions[n]), false);
+      add(n, t, plan.transforms()[t].apply(original.positions[n]), false);
       break;
     }
     for (std::size_t k = 0; k < order.size() && !copied; ++k) {

@@ -32,7 +32,7 @@ struct OriginalNodes {
 /// `sizes`: target edge lengths of the original mesh.
 /// Post: every node is the copy of one near the change, fixed but for those set back; supports are
 /// interior or, for nodes that were on the boundary, still those of the original.
-CopiedNodes copy_nodes(const CopyPlan& source, const OriginalNodes& original,
-                       const SizeField& sizes, const Run& run);
+CopiedNodes copy_nodes(const CopyPlan& plan, const OriginalNodes& original, const SizeField& sizes,
+                       const Run& run);
 
 }  // namespace remeshd

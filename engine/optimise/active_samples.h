@@ -18,7 +18,7 @@ class ActiveSamples {
  public:
   /// All samples are active (a first mesh).
   explicit ActiveSamples(const Samples& samples);
-  /// Samples whose nearest node is free are active; samples within `kBorder` edge lengths of an
+  /// Samples whose nearest node is free are active; samples within .6 edge lengths of an
   /// active one are its neighbours. `nearest`: of the samples' positions; kept by reference.
   ActiveSamples(const NodeSet& nodes, const SizeField& sizes, NearestToPoints& nearest,
                 const Run& run);

@@ -130,8 +130,8 @@ MeshPatch cut_patch(const CopiedMesh& original, const std::vector<std::uint8_t>&
 std::optional<PatchNodes> extract_patch(const CopiedNodes& near,
                                         std::span<const std::int32_t> candidates,
                                         const CopiedMesh& original, const EntityMap* map,
-                                        const CopyPlan& source, double reach) {
-  const std::int32_t identity = source.identity();
+                                        const CopyPlan& plan, double reach) {
+  const std::int32_t identity = plan.identity();
   const std::size_t all = original.positions.size();
   const auto stays = [&](std::int32_t n) {
     return !near.is_free(n) && near.original[n] >= 0 && near.transform[n] == identity;
@@ -153,7 +153,7 @@ std::optional<PatchNodes> extract_patch(const CopiedNodes& near,
       changed.push_back(original.positions[o]);
       changed.push_back(original.delaunay_state.positions()[o]);
     }
-    changing.emplace(changed, reach, source.modified().bounds());
+    changing.emplace(changed, reach, plan.modified().bounds());
     for (std::size_t n = 0; n < inner.size(); ++n)
       inner[n] = changing->holds(original.positions[n]) ? 1 : 0;
   }

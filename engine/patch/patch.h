@@ -60,6 +60,6 @@ struct PatchNodes {
 std::optional<PatchNodes> extract_patch(const CopiedNodes& near,
                                         std::span<const std::int32_t> candidates,
                                         const CopiedMesh& original, const EntityMap* map,
-                                        const CopyPlan& source, double reach);
+                                        const CopyPlan& plan, double reach);
 
 }  // namespace remeshd

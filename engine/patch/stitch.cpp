@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <optional>
 
 #include "engine/mesh/grouping.h"
 #include "engine/mesh/tet_boxes.h"
@@ -73,8 +74,8 @@ std::vector<std::int32_t> by_lowest_node(const TetMesh& mesh) {
 class Stitcher {
  public:
   Stitcher(const Revision& original, const MeshPatch& cut, const PatchMesh& patch,
-           const CopyPlan& source, const Run& run)
-      : original_(original), cut_(cut), patch_(patch), source_(source), run_(run), poll_(run) {}
+           const CopyPlan& plan, const Run& run)
+      : original_(original), cut_(cut), patch_(patch), plan_(plan), run_(run), poll_(run) {}
 
   StitchedMesh stitch(CowVector<Support> supports) {
     whole_.mesh = {original_.copied_nodes(), original_.output.mesh.tets};
@@ -93,10 +94,10 @@ class Stitcher {
   /// Fills in the map as if all of the original stayed.
   void map_all() {
     NodeMap& map = whole_.map;
-    map = map_to_itself(original_, whole_.mesh.nodes, source_.identity());
-    map.transforms = source_.transforms();
+    map = map_to_itself(original_, whole_.mesh.nodes, plan_.identity());
+    map.transforms = plan_.transforms();
     map.transform_features.resize(map.transforms.size());
-    for (const SourceFeature& s : source_.sources())
+    for (const SourceFeature& s : plan_.sources())
       if (map.transform_features[s.transform].empty())
         map.transform_features[s.transform] = original_.model.features[s.original].id;
   }
@@ -109,8 +110,8 @@ class Stitcher {
     std::vector<std::int32_t> gone;
     for (std::size_t p = 0; p < stays.size(); ++p)
       if (stays[p] == 0) gone.push_back(cut_.nodes[p]);
-    node_places_.emplace_back(static_cast<std::int32_t>(whole_.mesh.nodes.size()), std::move(gone));
-    FreeNumbers& places = node_places_.front();
+    node_places_.emplace(static_cast<std::int32_t>(whole_.mesh.nodes.size()), std::move(gone));
+    FreeNumbers& places = *node_places_;
     names_.resize(nodes.positions.size());
     for (std::size_t n = 0; n < names_.size(); ++n)
       names_[n] = nodes.original[n] >= 0 ? cut_.nodes[nodes.original[n]] : places.take();
@@ -133,7 +134,7 @@ class Stitcher {
       map.node_transform.set(at, nodes.transform[n]);
       map.node_origin.set(
           at, !copied ? NodeOrigin::New
-              : patch_.mesh.nodes[n] == source_.transforms()[nodes.transform[n]].apply(then[at])
+              : patch_.mesh.nodes[n] == plan_.transforms()[nodes.transform[n]].apply(then[at])
                   ? NodeOrigin::Kept
                   : NodeOrigin::Moved);
     }
@@ -161,8 +162,8 @@ class Stitcher {
     for (std::size_t d = 0; d < stays.size(); ++d)
       if (stays[d] == 0) gone.push_back(cut_.output_tet[d]);
     std::ranges::sort(gone);
-    tet_places_.emplace_back(static_cast<std::int32_t>(whole_.mesh.tets.size()), std::move(gone));
-    FreeNumbers& places = tet_places_.front();
+    tet_places_.emplace(static_cast<std::int32_t>(whole_.mesh.tets.size()), std::move(gone));
+    FreeNumbers& places = *tet_places_;
     NodeMap& map = whole_.map;
     const std::size_t end = places.end_after(std::ranges::count(was, -1));
     whole_.mesh.tets.resize(end);
@@ -238,7 +239,7 @@ class Stitcher {
   }
 
   void close_node_gaps() {
-    const FreeNumbers& places = node_places_.front();
+    const FreeNumbers& places = *node_places_;
     if (!places.has_gaps()) return;
     const std::vector<std::int32_t> moves = places.moves();
     const std::int32_t count = places.count();
@@ -266,7 +267,7 @@ class Stitcher {
   }
 
   void close_tet_gaps() {
-    const FreeNumbers& places = tet_places_.front();
+    const FreeNumbers& places = *tet_places_;
     if (!places.has_gaps()) return;
     const std::vector<std::int32_t> moves = places.moves();
     const std::int32_t count = places.count();
@@ -289,19 +290,19 @@ class Stitcher {
   const Revision& original_;
   const MeshPatch& cut_;
   const PatchMesh& patch_;
-  const CopyPlan& source_;
+  const CopyPlan& plan_;
   const Run& run_;
   Polling poll_;
   StitchedMesh whole_;
   std::vector<std::int32_t> names_;  ///< by node of the patch: its number in the whole
-  std::vector<FreeNumbers> node_places_, tet_places_;
+  std::optional<FreeNumbers> node_places_, tet_places_;
 };
 
 }  // namespace
 
 StitchedMesh stitch(const Revision& original, CowVector<Support> supports, const MeshPatch& cut,
-                    const PatchMesh& patch, const CopyPlan& source, const Run& run) {
-  return Stitcher(original, cut, patch, source, run).stitch(std::move(supports));
+                    const PatchMesh& patch, const CopyPlan& plan, const Run& run) {
+  return Stitcher(original, cut, patch, plan, run).stitch(std::move(supports));
 }
 
 }  // namespace remeshd

@@ -34,6 +34,6 @@ struct StitchedMesh {
 ///
 /// `supports`: of the original's nodes, in the modified boundary; those in the patch are not read.
 StitchedMesh stitch(const Revision& original, CowVector<Support> supports, const MeshPatch& cut,
-                    const PatchMesh& patch, const CopyPlan& source, const Run& run);
+                    const PatchMesh& patch, const CopyPlan& plan, const Run& run);
 
 }  // namespace remeshd

@@ -17,17 +17,15 @@
 namespace remeshd {
 namespace {
 
-constexpr std::uint32_t kDefaultNodes = 15000;
-constexpr std::uint32_t kMinNodes = 20;
 struct NewcellBalls {
   double apart = 1.5, radius = 0.5;  ///< x edge length
 };
 constexpr NewcellBalls kBalls;
-/// Fields that are alike: shares by which they may differ, at about so many nodes of a start.
+/// Fields that are alike: shares by which they may differ.
 struct Alike {
-  std::size_t sampled = 2500;
-  double lengths = 0.05;  ///< for the start to serve
-  double nodes = 0.02;    ///< for the base size to hold
+  std::size_t sampled = 2500;  ///< about so many nodes of a start are compared
+  double lengths = 0.05;       ///< for the start to serve
+  double nodes = 0.02;         ///< for the base size to hold
   /// For an edit that asks for a number of nodes to keep its base's size. A loop may ask for the
   /// same number again and again while its model shrinks.
   double bases = 0.05;
@@ -85,10 +83,7 @@ Warning below_least(const std::vector<SizeRules::AskedOnFace>& asked, double lea
         warning.features.push_back(id);
     }
   warning.point = asked.front().at;
-  warning.message = "details of " + warning.features.front() +
-                    (warning.features.size() > 1
-                         ? " and " + std::to_string(warning.features.size() - 1) + " more features"
-                         : "") +
+  warning.message = "details of " + first_and_more(warning.features) +
                     " are smaller than the least edge length, which is " + std::to_string(least);
   return warning;
 }
@@ -169,8 +164,6 @@ void densify_newcells(Density& density, double edge_length, const Revision& pare
                       const Run& run) {
   const double base = parent.edge_length;
   if (options.nodes) edge_length = fields.solved(*options.nodes, edge_length).sizes.base();
-  if (options.size.value_or(0) > base)
-    density.warnings.push_back(not_coarsened(*options.size, base));
   density.inherited = edge_length >= (options.nodes ? 1 - kAlike.bases : 1) * base;
   if (density.inherited) return;
   const std::vector<SizedBall> more = newcells(parent, model, edge_length, run);
@@ -183,6 +176,8 @@ void densify_newcells(Density& density, double edge_length, const Revision& pare
 void set_sizes(Density& density, double edge_length, const Revision& parent,
                const MeshOptions& options, const FeatureModel& model, const CellularModel& cells,
                const Run& run) {
+  if (options.size.value_or(0) > parent.edge_length)
+    density.warnings.push_back(not_coarsened(*options.size, parent.edge_length));
   if (options.sizing.even) {
     density.sizes = edge_length;
     return;
@@ -235,7 +230,8 @@ Density resolve_density(const Revision& parent, const MeshOptions& options,
   if (options.nodes && options.size)
     throw error::options_invalid("nodes", "give a number of nodes or an edge length, not both");
   if (options.nodes && *options.nodes < kMinNodes)
-    throw error::options_invalid("nodes", "at least 20 nodes have to be asked for");
+    throw error::options_invalid(
+        "nodes", "at least " + std::to_string(kMinNodes) + " nodes have to be asked for");
   if (options.size && !(std::isfinite(*options.size) && *options.size > 0))
     throw error::options_invalid("size", "the edge length has to be a positive number");
   const double volume = cells.volume, area = cells.area;

@@ -15,10 +15,10 @@ namespace remeshd {
 
 /// Target edge lengths and density of new nodes, as asked for by the options or inherited.
 struct Density {
-  SizeField sizes{0};                              ///< h: spacing of samples, reach of searches
+  SizeField sizes{0};                              ///< target edge lengths
   double weakening = 1;                            ///< of the rules (`SizeRules::field`)
   double nodes_per_volume = 0;                     ///< in newcells
-  std::optional<std::uint32_t> count;              ///< of a first mesh asked for by number of nodes
+  std::optional<std::uint32_t> count;              ///< in all, of a mesh of new nodes alone
   std::vector<int> fewest_links;                   ///< least links by model edge; empty: even mesh
   bool inherited = false;                          ///< an edit keeps its base's density
   std::vector<SizedBall> dense_places;             ///< `Revision::dense_places`

@@ -25,6 +25,7 @@ struct Budgeted {
 /// The size field with which a mesh of the model comes out with about `nodes` nodes: the base size
 /// is solved for; where the rules alone need more, all of them are weakened by one factor, at most
 /// until a circle has 6 edges. Where that still gives more nodes, the mesh has more.
+/// Throws Error(MESH_TOO_LARGE) where the rules, not weakened yet, need over four times the limit.
 /// @param rules  for base sizes up to `coarsest_base`
 Budgeted sizes_for_budget(std::uint32_t nodes, const SizeRules& rules, const MeshOptions& options,
                           const FeatureModel& model, const CellularModel& cells, const Run& run);

@@ -70,11 +70,14 @@ double check_node_limit(const Revision& original, const FeatureModel& model,
   return std::fmax(least.nodes, options.nodes.value_or(0));
 }
 
-void check_new_nodes(std::size_t nodes, const Run& run) {
+void check_new_nodes(std::size_t nodes, const MeshOptions& options, const Run& run) {
   const auto count = static_cast<double>(nodes);
-  if (exceeds(count / kOverstart, run))
-    throw error::mesh_too_large("the edge lengths asked for need about", count, run.max_nodes, {},
-                                {}, kHintForSizes);
+  if (!exceeds(count / kOverstart, run)) return;
+  const char* option = options.nodes ? "nodes" : options.size ? "size" : "";
+  // Only an edit may have neither.
+  const bool is_edit = !options.nodes && !options.size;
+  throw error::mesh_too_large("the edge lengths asked for need about", count, run.max_nodes, option,
+                              {}, is_edit ? kHintForEdit : kHintForSizes);
 }
 
 void check_node_limit(const Revision& original, const Extent& extent, double edge_length,

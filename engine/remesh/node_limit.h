@@ -21,9 +21,10 @@ double check_node_limit(const Revision& original, const FeatureModel& model,
                         const MeshOptions& options, const Run& run);
 
 /// Checks the number of new nodes that a sized mesh begins with, known only once they are made.
+/// Those that an edit keeps are not counted.
 ///
-/// Throws Error(InvalidArgument) `MESH_TOO_LARGE`.
-void check_new_nodes(std::size_t nodes, const Run& run);
+/// Throws Error(InvalidArgument) `MESH_TOO_LARGE`, naming the option that asks for the size.
+void check_new_nodes(std::size_t nodes, const MeshOptions& options, const Run& run);
 
 /// Checks the limit by the exact volume and area of the model. `edge_length`: as resolved.
 ///

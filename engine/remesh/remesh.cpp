@@ -69,13 +69,10 @@ bool has_tiny_slits(const BoundaryModel& boundary) {
 }
 
 Warning left_out(const std::vector<std::string>& features) {
-  return {.code = WarningCode::DetailNotResolved,
-          .message = features.front() +
-                     (features.size() > 1
-                          ? " and " + std::to_string(features.size() - 1) + " more features"
-                          : "") +
-                     " moved by next to nothing, which the mesh leaves out",
-          .features = features};
+  return {
+      .code = WarningCode::DetailNotResolved,
+      .message = first_and_more(features) + " moved by next to nothing, which the mesh leaves out",
+      .features = features};
 }
 
 /// Meshes the model with those features put back that have moved by next to nothing: no tets fit

@@ -169,7 +169,7 @@ std::vector<Vec3> new_nodes(const MeshingTask& task) {
     const Box bounds = grown(task.cells.boundary.bounds, density.sizes.base());
     std::vector<Vec3> nodes =
         fill_graded(plan.changed_within(bounds), is_new, density.sizes, task.seed, task.run);
-    if (task.refined_at.empty()) check_new_nodes(nodes.size(), task.run);
+    if (task.refined_at.empty()) check_new_nodes(nodes.size(), task.options, task.run);
     return nodes;
   }
   const auto fill = task.options.start == MeshOptions::Start::Lattice ? fill_lattice : fill_random;

@@ -8,12 +8,16 @@
 
 namespace remeshd {
 
+inline constexpr std::uint32_t kDefaultNodes = 15000;  ///< of a first mesh
+inline constexpr std::uint32_t kMinNodes = 20;         ///< the least that may be asked for
+
 /// What decides a mesh beside the model. Part of what a revision's id is made of.
 struct MeshOptions {
-  /// Resolved options have exactly one of the two targets; an edit with none has the base's
-  /// density.
-  std::optional<std::uint32_t> nodes;  ///< target count of nodes, from 20 to `Run::max_nodes`
-  std::optional<double> size;          ///< target edge length, model's unit, > 0
+  /// At most one of the two targets is given. Resolved options of a first mesh have one; those of
+  /// an edit may have none: it has its base's density.
+  std::optional<std::uint32_t>
+      nodes;                   ///< target count of nodes, from kMinNodes to `Run::max_nodes`
+  std::optional<double> size;  ///< target edge length, model's unit, > 0
   std::uint32_t iterations =
       0;  ///< of the optimisation loop, at most 1000; 0: until quality stops improving
   std::uint64_t seed = 1;

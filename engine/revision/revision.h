@@ -47,8 +47,8 @@ struct Revision {
   /// `model` by spelling and by motions too small to count, which therefore cannot add up unseen.
   ModelSource meshed_source;
   FeatureModel meshed_model;
-  MeshOptions options;             ///< as resolved; an edit inherits these
-  double edge_length = 0;          ///< target edge length l; an edit inherits it as its density
+  MeshOptions options;     ///< as resolved; an edit inherits all but `nodes`, `size` and `rebuild`
+  double edge_length = 0;  ///< target edge length l; an edit inherits it as its density
   double rules_weakening = 1;      ///< of the rules of its size field; an edit inherits it
   std::optional<SizeField> sizes;  ///< empty where it is still to be computed from the rest
   /// Where an edit asked for a smaller edge length than its base's, the places that it made new:

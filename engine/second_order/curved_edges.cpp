@@ -7,7 +7,7 @@
 #include "engine/base/tolerance.h"
 #include "engine/boundary/edge_chains.h"
 #include "engine/boundary/facet_faces.h"
-#include "engine/second_order/jacobian.h"
+#include "engine/mesh/tet_mesh.h"
 
 namespace remeshd {
 

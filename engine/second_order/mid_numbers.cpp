@@ -4,7 +4,7 @@
 #include <optional>
 #include <tuple>
 
-#include "engine/second_order/jacobian.h"
+#include "engine/mesh/tet_mesh.h"
 
 namespace remeshd {
 

@@ -38,28 +38,29 @@ struct Engine {
   /// Error(`MESH_TOO_LARGE`).
   std::function<double(const Revision* base, const FeatureModel&, const MeshOptions&, const Run&)>
       check_node_limit;
-  /// A model as the base of an edit that is only validated. Throws Error where it has no cells.
+  /// A model as the base of an edit that is only validated. Throws what `build_cells` does.
   std::function<Revision(const FeatureModel&, const Run&)> unmeshed{};
-  /// Throws what `make_revision` throws before it meshes.
+  /// Throws what `make_revision` throws before it meshes; also KERNEL_FAILURE where the CAD kernel
+  /// fails on all features together, which an edit may not need.
   std::function<ModelSummary(const Revision* base, const FeatureModel&, const MeshOptions&,
                              const Run&)>
       summarise;
-  std::function<Revision(const Revision* original, const ModelSource&, const MeshOptions&,
-                         const Run&)>
+  std::function<Revision(const Revision* base, const ModelSource&, const MeshOptions&, const Run&)>
       make_revision;
   /// The cellular models are those of the two models where they are at hand, else null.
   std::function<ModelComparison(const FeatureModel& original, const FeatureModel& modified,
                                 const CellularModel*, const CellularModel*, const Run&)>
       compare;
-  /// As DesignVelocities, for each parameter; `seed`: a vector for each corner node, then each
-  /// mid-node.
+  /// As `DesignVelocities::of`, for each parameter.
   std::function<std::vector<NodalVelocities>(
       const Revision&, const std::vector<std::string>& parameters, const Run&)>
       velocities{};
+  /// As `DesignVelocities::gradient`; `seed`: a vector for each corner node, then each mid-node.
   std::function<std::vector<DesignDerivative>(const Revision&, const std::vector<Vec3>& seed,
                                               const std::vector<std::string>& parameters,
                                               const Run&)>
       gradient{};
+  /// As `connectivity_horizon`; `hold`: x edge length.
   std::function<Horizon(const Revision&, const std::string& parameter, double hold, const Run&)>
       horizon{};
   /// The model of a revision as a STEP file, by engine/cellular/model_step.h.

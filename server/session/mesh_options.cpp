@@ -1,6 +1,7 @@
 #include "server/session/mesh_options.h"
 
 #include <cmath>
+#include <string>
 
 #include "server/session/session_error.h"
 
@@ -24,7 +25,8 @@ void check(const SizingPatch& patch) {
 void check(const OptionsPatch& patch) {
   if (patch.nodes && patch.size)
     throw error::option_invalid("nodes", "and `size` exclude each other");
-  if (patch.nodes && *patch.nodes < 20) throw error::option_invalid("nodes", "is less than 20");
+  if (patch.nodes && *patch.nodes < kMinNodes)
+    throw error::option_invalid("nodes", "is less than " + std::to_string(kMinNodes));
   if (patch.size && !(std::isfinite(*patch.size) && *patch.size > 0))
     throw error::option_invalid("size", "is not a positive length");
   if (patch.iterations && *patch.iterations > 1000)
@@ -69,7 +71,6 @@ MeshOptions patched(const OptionsPatch& patch, const MeshOptions& base) {
 }  // namespace
 
 MeshOptions first_options(const OptionsPatch& patch) {
-  constexpr std::uint32_t kDefaultNodes = 15000;
   check(patch);
   MeshOptions options = patched(patch, {.sizing = {.even = false}});
   if (!options.nodes && !options.size) options.nodes = kDefaultNodes;

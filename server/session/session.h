@@ -103,7 +103,8 @@ class Session {
   Description describe(const Reference& reference, const Run& run);
   ModelComparison compare(const ComparisonSide& original, const ComparisonSide& modified,
                           const Run& run);
-  /// Does all checks that are done before a mesh is made, that of the node limit too.
+  /// Does all checks that are done before a mesh is made, that of the node limit too, and has the
+  /// CAD kernel fuse all features together, which an edit may not need.
   Validated validate(const ModelSource& source, const OptionsPatch& options, const Run& run);
   /// The same for the model that the edit makes of a revision or a model.
   Validated validate_edit(const std::variant<std::string, ModelSource>& base, const ModelEdit& edit,

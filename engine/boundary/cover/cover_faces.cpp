@@ -63,7 +63,8 @@ class Cover {
       if (!refine_crossings() && !refine_bent() && !refine_asked()) return stuck_;
       if (!stuck_.empty()) return stuck_;
     }
-    return "facets that cut each other on the boundary could not be made smaller";
+    return "the cover of the open boundary still changed after " +
+           std::to_string(kCoverLimits.rounds) + " rounds";
   }
 
  private:
@@ -213,7 +214,8 @@ class Cover {
                      : side(t));
     }
     return any ? std::string()
-               : "face " + std::to_string(face) + " could not be covered between what stays";
+               : "a face called " + boundary_.faces[face].names.front().face +
+                     " could not be covered between what stays";
   }
 
   [[nodiscard]] Vec3 area_vector(const Triangle& t) const {

@@ -50,13 +50,12 @@ std::map<std::int32_t, std::vector<BorderSide>> OpenBorders::find() {
   links_.clear();
   for (std::size_t e = 0; e < chains_.size(); ++e)
     for (std::size_t k = 0; k + 1 < chains_[e].size(); ++k)
-      links_[side_of(chains_[e][k].node, chains_[e][k + 1].node)] = {static_cast<int>(e),
-                                                                     static_cast<int>(k)};
-  for (const auto& [side, link] : links_) {
-    const std::vector<int>& faces = boundary_.edges[link.first].faces;
+      links_[side_of(chains_[e][k].node, chains_[e][k + 1].node)] = static_cast<int>(e);
+  for (const auto& [side, edge] : links_) {
+    const std::vector<int>& faces = boundary_.edges[edge].faces;
     for (const int f : faces) {
       const int open = (faces.size() == 1 ? 2 : 1) - times_kept(f, side);
-      if (open > 0) borders[f].push_back({side, link.first, open});
+      if (open > 0) borders[f].push_back({side, edge, open});
     }
   }
   for (auto it = sides_that_stay_.begin(); it != sides_that_stay_.end();) {
@@ -64,8 +63,8 @@ std::map<std::int32_t, std::vector<BorderSide>> OpenBorders::find() {
         std::find_if(it, sides_that_stay_.end(), [&](const auto& other) { return other != *it; });
     const auto& [face, side] = *it;
     const auto link = links_.find(side);
-    const bool of_face = link != links_.end() &&
-                         std::ranges::count(boundary_.edges[link->second.first].faces, face) > 0;
+    const bool of_face =
+        link != links_.end() && std::ranges::count(boundary_.edges[link->second].faces, face) > 0;
     if ((next - it) % 2 == 1 && !of_face) borders[face].push_back({side, -1, 1});
     it = next;
   }
@@ -83,9 +82,8 @@ bool OpenBorders::may_halve(const Side& side) const {
 bool OpenBorders::halve_link(const Side& side) {
   const auto found = links_.find(side);
   if (found == links_.end()) return false;
-  const int e = found->second.first;
+  const int e = found->second;
   std::vector<NodeOnEdge>& chain = chains_[e];
-  // Its place in the chain may have changed, by halving other links of it.
   const auto it = std::ranges::adjacent_find(chain, [&](const NodeOnEdge& a, const NodeOnEdge& b) {
     return side_of(a.node, b.node) == side;
   });

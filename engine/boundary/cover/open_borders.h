@@ -58,7 +58,7 @@ class OpenBorders {
   std::vector<std::vector<NodeOnEdge>> chains_;
   std::vector<std::pair<std::int32_t, Side>> sides_that_stay_;  ///< by face, sorted
   std::vector<Side> rigid_;                                     ///< may not be halved, sorted
-  std::map<Side, std::pair<int, int>> links_;                   ///< edge and place in its chain
+  std::map<Side, int> links_;                                   ///< its model edge
 };
 
 }  // namespace remeshd

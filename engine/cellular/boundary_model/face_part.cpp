@@ -8,7 +8,8 @@ namespace remeshd {
 namespace {
 
 struct PartLimits {
-  // Lengths of a triangle's longest side, x the diagonal of the face's box.
+  // Lengths of a triangle's longest side, x the diagonal of the box asked for; where areas are
+  // measured, of the face's box.
   double first = 1.0 / 16;       ///< longer triangles are bisected before the condition is tested
   double shortest = 1.0 / 1000;  ///< no triangle is bisected further
   double of_area = 1.0 / 256;    ///< instead of `shortest` where areas are measured

@@ -6,6 +6,7 @@
 
 #include "engine/base/tolerance.h"
 #include "engine/cellular/boundary_model/support.h"
+#include "engine/mesh/grouping.h"
 
 namespace remeshd {
 namespace {
@@ -91,8 +92,7 @@ std::vector<int> groups_of_pieces(const FeatureModel& model,
       for (const FaceName& name : *names)
         if (const auto found = of_faces.find(name); found != of_faces.end())
           groups.insert(groups.end(), found->second.begin(), found->second.end());
-    std::ranges::sort(groups);
-    groups.erase(std::unique(groups.begin(), groups.end()), groups.end());
+    sort_unique(groups);
     numbers[k] = sets.try_emplace(groups, static_cast<int>(sets.size())).first->second;
   }
   return numbers;

@@ -109,10 +109,12 @@ Handle(Geom_Surface) swept_by_arc(const TopoDS_Face& face) {
 }
 
 /// Throws Error(KERNEL_FAILURE).
-Handle(StepRepr_RepresentationItem) name_item(const Handle(Transfer_FinderProcess) & made,
-                                              const TopoDS_Shape& shape, const std::string& name) {
+Handle(StepRepr_RepresentationItem)
+    name_item(const Handle(Transfer_FinderProcess) & made, const TopoDS_Shape& shape,
+              const char* what, const std::string& name) {
   Handle(StepRepr_RepresentationItem) item = STEPConstruct::FindEntity(made, shape);
-  if (item.IsNull()) throw error::kernel_failure("the STEP file lacks the face " + name);
+  if (item.IsNull())
+    throw error::kernel_failure("the STEP file lacks the " + std::string(what) + " " + name);
   item->SetName(text_of(name));
   return item;
 }
@@ -158,13 +160,13 @@ std::string write_solid(const TopoDS_Shape& solid, const WholeFaces& wholes, con
   TopExp::MapShapes(solid, TopAbs_FACE, faces);
   for (int f = 0; f < faces.Extent(); ++f) {
     const auto item = Handle(StepShape_FaceSurface)::DownCast(
-        name_item(made, faces(f + 1), skin.names[wholes[f]]));
+        name_item(made, faces(f + 1), "face", skin.names[wholes[f]]));
     const Handle(Geom_Surface) swept = swept_by_arc(TopoDS::Face(faces(f + 1)));
     if (item.IsNull() || swept.IsNull()) continue;
     item->SetFaceGeometry(GeomToStep_MakeSurface(swept).Value());
     model->AddWithRefs(item->FaceGeometry());
   }
-  name_item(made, solid, labels.solid);
+  name_item(made, solid, "solid", labels.solid);
   name_products(model, labels.solid);
   fill_header(model, labels);
   return print(model);

@@ -11,8 +11,8 @@
 namespace remeshd {
 
 struct FillOptions {
-  double edge_length = 0;              ///< target edge length
-  double density = 0;                  ///< nodes per volume
+  double edge_length = 0;  ///< target; of `fill_lattice` only for its first try at a count
+  double density = 0;      ///< nodes per volume
   std::optional<std::uint32_t> count;  ///< instead of the density: this many nodes in all
   std::uint64_t seed = 1;
 };

@@ -48,10 +48,10 @@ void leave_once(std::vector<Place>& places) {
   places.erase(twice.begin(), twice.end());
 }
 
+/// How many nodes would be left of so many places is not known.
 Error too_large(const Run& run) {
-  return error::mesh_too_large("the edge lengths asked for need over",
-                               kGradedFilling.most * run.max_nodes, run.max_nodes, {}, {},
-                               "ask for longer edges or for a larger least one");
+  return error::mesh_too_large("the edge lengths asked for need over", run.max_nodes, run.max_nodes,
+                               {}, {}, "ask for longer edges or for a larger least one");
 }
 
 /// Octrees over the cubes of a lattice, divided where the field is finer.

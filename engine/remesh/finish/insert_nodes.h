@@ -43,8 +43,9 @@ int insert_in_segments(NodeSet& nodes, DelaunayMesh& mesh, std::int32_t in_mesh,
                        const BoundaryModel& boundary, const SegmentOptions& options,
                        const Run& run);
 
-/// Inserts boundary nodes where a mesh failed to represent the boundary. A link of a model edge
-/// that is no boundary edge is halved; near the other defects, or where the link has no room, a
+/// Inserts boundary nodes where a mesh failed to represent the boundary. A model vertex without a
+/// node gets the nearest one, if that may move there, else a new one; a link of a model edge that
+/// is no boundary edge is halved; near the other defects, or where the link has no room, a
 /// node goes to the sample that is farthest from any node. That is where the boundary has too few
 /// nodes for its facets to be Delaunay. `make_room`: what is in the way of a link without room
 /// moves or gets a node opposite (`CrowdedLinks`).

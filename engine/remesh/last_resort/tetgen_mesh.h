@@ -11,7 +11,7 @@ namespace remeshd {
 /// What a mesh of last resort is made of. Keeps references.
 struct TetGenInput {
   const FeatureModel& model;
-  const CopyPlan& plan;  ///< from any parent: only its modified model is used
+  const CopyPlan& plan;  ///< `plan_of_nothing`: it copies nothing
   const CellularModel& cells;
   SizeField sizes;                       ///< target edge lengths
   bool clean_up = true;                  ///< as in MeshOptions

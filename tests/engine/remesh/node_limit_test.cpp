@@ -130,6 +130,14 @@ TEST(NodeLimit, HoldsForWhatTheModelAsksForOnItsFaces) {
   }
 }
 
+TEST(NodeLimit, NamesTheOptionWhereTheStartHasTooManyNodes) {
+  MeshOptions options{.size = 8, .iterations = 1};
+  options.sizing = {.even = false, .edges_per_circle = 24};
+  const ErrorInfo info = error_of(
+      [&] { make_revision(Revision::none(), plate_of_length(80), options, limited(700)); });
+  EXPECT_EQ(test::place_of(info), "MESH_TOO_LARGE - size");
+}
+
 TEST(NodeLimit, LetsAnEditOfAMeshThatIsJustAtItPass) {
   const auto& original = base();
   EXPECT_NO_THROW(check_node_limit(original, evaluate(plate_of_length(80)), {}, limited(1000)));

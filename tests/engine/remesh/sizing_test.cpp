@@ -265,6 +265,9 @@ TEST(Sizing, EdgesLongerThanItsBasesAreNoEditsToMakeAndThatIsTold) {
   const Revision r = make_revision(first, edited, coarser, kRun);
   EXPECT_EQ(r.edge_length, first.edge_length);
   EXPECT_TRUE(has(r, WarningCode::NodesFarFromTarget));
+  MeshOptions even = coarser;
+  even.sizing.even = true;
+  EXPECT_TRUE(has(make_revision(first, edited, even, kRun), WarningCode::NodesFarFromTarget));
   coarser.size = first.edge_length;
   EXPECT_FALSE(has(make_revision(first, edited, coarser, kRun), WarningCode::NodesFarFromTarget));
 }
