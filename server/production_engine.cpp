@@ -52,7 +52,7 @@ std::vector<NodalVelocities> velocities_of(const Revision& revision,
 }  // namespace
 
 Engine production_engine() {
-  return {.algorithm_version = 42,
+  return {.algorithm_version = 43,
           .evaluate = evaluate,
           .evaluate_edited = evaluate_edited,
           .check_node_limit =
