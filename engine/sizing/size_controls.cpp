@@ -97,7 +97,7 @@ void add_face(const BoundaryFace& face, double size, std::vector<SizeSource>& so
                     .asked = true,
                     .wanted = size};
   if (face.surface.kind != Surface::Kind::Plane || fills_box(face)) {
-    sources.push_back(std::move(source));
+    sources.push_back(source);
     return;
   }
   for (const auto& [a, b, c] : face.triangles) {

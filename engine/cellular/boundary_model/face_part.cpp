@@ -144,7 +144,7 @@ struct TestedTriangle {
   [[nodiscard]] double share_above() const {
     const auto in = [&](int k) { return held[k].margin > 0; };
     const int count = in(0) + in(1) + in(2);
-    if (count == 0 || count == 3) return count / 3;
+    if (count == 0 || count == 3) return count == 0 ? 0 : 1;
     const bool alone = count == 1;  // one corner is alone on its side
     int k = 0;
     while (in(k) != alone) ++k;

@@ -34,18 +34,26 @@ struct Layout {
 };
 template <class T>
 constexpr Layout layout_of() {
-  if constexpr (std::is_same_v<T, Vec3>) return {StoredType::F64, 3};
-  if constexpr (std::is_same_v<T, Box>) return {StoredType::F64, 6};
-  if constexpr (std::is_same_v<T, Tet>) return {StoredType::I32, 4};
-  if constexpr (std::is_same_v<T, Triangle>) return {StoredType::I32, 3};
-  if constexpr (std::is_same_v<T, double>) return {StoredType::F64, 1};
-  if constexpr (std::is_same_v<T, std::int32_t>) return {StoredType::I32, 1};
-  if constexpr (std::is_same_v<T, std::uint64_t>) return {StoredType::U64, 1};
-  if constexpr (std::is_same_v<T, std::uint8_t> || std::is_same_v<T, NodeOrigin>)
+  if constexpr (std::is_same_v<T, Vec3>)
+    return {StoredType::F64, 3};
+  else if constexpr (std::is_same_v<T, Box>)
+    return {StoredType::F64, 6};
+  else if constexpr (std::is_same_v<T, Tet>)
+    return {StoredType::I32, 4};
+  else if constexpr (std::is_same_v<T, Triangle>)
+    return {StoredType::I32, 3};
+  else if constexpr (std::is_same_v<T, double>)
+    return {StoredType::F64, 1};
+  else if constexpr (std::is_same_v<T, std::int32_t>)
+    return {StoredType::I32, 1};
+  else if constexpr (std::is_same_v<T, std::uint64_t>)
+    return {StoredType::U64, 1};
+  else if constexpr (std::is_same_v<T, std::uint8_t> || std::is_same_v<T, NodeOrigin>)
     return {StoredType::U8, 1};
-  if constexpr (std::is_same_v<T, Transform>) return {StoredType::F64, 12};
-  // Slots of the Delaunay mesh, whose type is its own: vertices, then neighbours.
-  return {StoredType::I32, static_cast<std::uint32_t>(sizeof(T) / sizeof(std::int32_t))};
+  else if constexpr (std::is_same_v<T, Transform>)
+    return {StoredType::F64, 12};
+  else  // slots of the Delaunay mesh, whose type is its own: vertices, then neighbours
+    return {StoredType::I32, static_cast<std::uint32_t>(sizeof(T) / sizeof(std::int32_t))};
 }
 
 // ---------------------------------------------------------------------------------------------
